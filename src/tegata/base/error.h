@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+
+#include "tegata/base/text.h"
+
+namespace tegata {
+
+/// Bad input. The message is one line: what was got, what was expected, where (file, key, frame,
+/// camera) and what would do. Not converging is never an error but a value in a report.
+class Error : public std::runtime_error {
+ public:
+  /// The parts are streamed one after the other into the message.
+  template <typename... Parts>
+  explicit Error(const Parts&... parts) : std::runtime_error(text(parts...)) {}
+};
+
+}  // namespace tegata

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tegata/hand/hand_model.h"
+
+namespace tegata {
+
+/// Reads a skinned hand from GLB or glTF: joints by their 25 WebXR names (wrist, thumb-metacarpal,
+/// ..., pinky-finger-tip), in any order and hierarchy; the finger metacarpals move with the palm.
+/// The hand's frame, axes and zero angles are made from the joints' rest positions. Throws Error
+/// naming the file and what is missing or out of range in it. `side` says which hand it is.
+HandModel read_hand_gltf(const std::filesystem::path& file, Side side);
+
+/// One frame of an animation.
+struct HandKeyframe {
+  double time = 0.0;  ///< [s]
+  HandPose pose;
+};
+
+/// Writes a skinned hand with WebXR joint names and, unless there are no keyframes, one animation:
+/// y up, metres, the world turned from OpenCV's axes (y down) by half a turn about x.
+void write_hand_gltf(const HandModel& model, const std::vector<HandKeyframe>& keyframes,
+                     const std::filesystem::path& file);
+
+}  // namespace tegata

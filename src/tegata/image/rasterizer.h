@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "tegata/camera/camera.h"
+#include "tegata/image/image.h"
+#include "tegata/image/silhouette.h"
+#include "tegata/mesh/triangle_mesh.h"
+
+namespace tegata {
+
+/// What a camera sees of a mesh: per pixel the depth z in the camera's frame [m] of the nearest
+/// surface (infinity where there is none) and the triangle (-1 where there is none).
+struct RenderedMesh {
+  Image<float> depth;
+  Image<std::int32_t> triangle;
+};
+
+/// Draws a mesh by its triangles' projected corners, with lens distortion: for true curves of edges
+/// under distortion, triangles should be small. A pixel is covered where its centre is. Triangles
+/// with a corner that is not in front of the camera are left out.
+RenderedMesh render(const TriangleMesh& mesh, const Camera& camera);
+
+/// The pixels that the mesh covers, as hand; all others background.
+Silhouette render_silhouette(const TriangleMesh& mesh, const Camera& camera);
+
+}  // namespace tegata

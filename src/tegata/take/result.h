@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tegata/hand/hand_model.h"
+
+namespace tegata {
+
+/// What the fit says of one frame. `pose`, keypoints, support, views and overlaps mean something
+/// only where the status is "ok" or a doubt about a pose that was found; `pose` is empty where none
+/// was found.
+struct ResultFrame {
+  std::string name;
+  double time = 0.0;                      ///< [s]
+  std::string status = "ok";              ///< "ok", or why there is no (reliable) pose
+  std::optional<HandPose> pose;
+  std::array<Eigen::Vector3d, kKeypointCount> keypoints;  ///< world [m]
+  std::array<double, kBoneCount> support = {};            ///< 0 .. 1 a bone
+  std::vector<std::string> views;                         ///< cameras used
+  std::map<std::string, double> silhouette_iou;           ///< by camera
+};
+
+/// result.json in memory; see docs/formats.md.
+struct Result {
+  std::string take;
+  Side side = Side::right;
+  std::string model_name;
+  std::map<std::string, double> model_shape;
+  JointAngles grasp_angles = JointAngles::Zero();          ///< [rad]
+  JointAngles grasp_standard_deviations = JointAngles::Zero();  ///< [rad]
+  std::vector<ResultFrame> frames;
+  int iterations = 0;
+  std::string termination;
+  std::map<std::string, double> seconds;                   ///< by stage
+};
+
+/// Writes result.json. The same Result gives the same bytes.
+void write_result_json(const Result& result, const std::filesystem::path& file);
+
+/// Reads result.json. Throws Error naming file and key for anything missing or of another shape or
+/// version.
+Result read_result_json(const std::filesystem::path& file);
+
+/// Writes angles.csv: one row a frame, 20 columns in degrees; empty cells where there is no pose.
+void write_angles_csv(const Result& result, const std::filesystem::path& file);
+
+}  // namespace tegata
