@@ -40,7 +40,9 @@ function(tegata_module)
     set(scope PUBLIC)
     add_library(${target} STATIC ${sources})
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:tegata_flags> ${ARG_PRIVATE_LIBRARIES})
-    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+    if(ARG_FLOOR GREATER 0)  # floor 0 does not have Eigen, which is what costs the time
+      target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+    endif()
   else()
     set(scope INTERFACE)
     add_library(${target} INTERFACE)
@@ -77,7 +79,8 @@ endfunction()
 function(tegata_test)
   cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${ARG_NAME} ${ARG_SOURCES})
-  target_link_libraries(${ARG_NAME} PRIVATE tegata_flags ${ARG_LIBRARIES} GTest::gtest_main)
+  target_link_libraries(${ARG_NAME} PRIVATE
+    tegata_flags ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   target_precompile_headers(${ARG_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled_test.h)
   target_compile_definitions(${ARG_NAME} PRIVATE
     TEGATA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

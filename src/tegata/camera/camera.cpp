@@ -61,7 +61,8 @@ std::optional<Eigen::Vector2d> project_camera_point(const Camera& camera,
                   camera.is_distorted() ? distort_normalized(camera.distortion, ideal) : ideal);
 }
 
-std::optional<Eigen::Vector2d> project(const Camera& camera, const Eigen::Vector3d& point_in_world) {
+std::optional<Eigen::Vector2d> project(const Camera& camera,
+                                       const Eigen::Vector3d& point_in_world) {
   return project_camera_point(camera, camera.camera_from_world * point_in_world);
 }
 
@@ -70,8 +71,9 @@ Eigen::Matrix<double, 2, 3> project_jacobian(const Camera& camera,
   const Eigen::Vector3d p = camera.camera_from_world * point_in_world;
   const double inverse_depth = 1.0 / p.z();
   Eigen::Matrix<double, 2, 3> by_camera_point;
-  by_camera_point << camera.fx * inverse_depth, 0.0, -camera.fx * p.x() * inverse_depth * inverse_depth,
-      0.0, camera.fy * inverse_depth, -camera.fy * p.y() * inverse_depth * inverse_depth;
+  by_camera_point << camera.fx * inverse_depth, 0.0,
+      -camera.fx * p.x() * inverse_depth * inverse_depth, 0.0, camera.fy * inverse_depth,
+      -camera.fy * p.y() * inverse_depth * inverse_depth;
   return by_camera_point * camera.camera_from_world.rotation.toRotationMatrix();
 }
 

@@ -15,12 +15,12 @@ namespace tegata {
 /// OpenCV's lens distortion: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, absent ones zero.
 using Distortion = std::array<double, 12>;
 
-/// A calibrated camera in OpenCV's frame (x right, y down, z forward). Pixel (0, 0) is the centre of
-/// the top left pixel, so the picture covers [-0.5, width - 0.5) x [-0.5, height - 0.5).
+/// A calibrated camera in OpenCV's frame (x right, y down, z forward). Pixel (0, 0) is the centre
+/// of the top left pixel, so the picture covers [-0.5, width - 0.5) x [-0.5, height - 0.5).
 struct Camera {
   std::string name;
-  int width = 0;   ///< pixels
-  int height = 0;  ///< pixels
+  int width = 0;                                  ///< pixels
+  int height = 0;                                 ///< pixels
   double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;  ///< pixels
   Distortion distortion = {};
   Rigid3d camera_from_world;

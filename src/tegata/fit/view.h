@@ -16,8 +16,8 @@ namespace tegata {
 struct FitView {
   Camera camera;
   Silhouette silhouette;
-  Image<float> distance;                ///< signed, to the border of the hand [px]
-  std::vector<ContourPoint> contour;    ///< proven border of the hand
+  Image<float> distance;              ///< signed, to the border of the hand [px]
+  std::vector<ContourPoint> contour;  ///< proven border of the hand
 };
 
 /// Computes distance and contour. The camera must be undistorted and of the silhouette's size.

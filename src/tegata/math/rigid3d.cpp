@@ -23,7 +23,8 @@ Rigid3d align_points(const Eigen::Matrix3Xd& points_in_a, const Eigen::Matrix3Xd
   const Eigen::Vector3d mean_b = points_in_b.rowwise().mean();
   const Eigen::Matrix3d covariance =
       (points_in_b.colwise() - mean_b) * (points_in_a.colwise() - mean_a).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d signs(1.0, 1.0, 1.0);
   if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0) signs.z() = -1.0;
   const Eigen::Matrix3d rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
