@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace tegata {
@@ -12,8 +13,10 @@ namespace tegata {
 class StagedFolder {
  public:
   /// Throws Error where `target` exists and `replace` is false, or where its parent cannot be
-  /// written. The parent is made where it is missing.
-  StagedFolder(std::filesystem::path target, bool replace);
+  /// written. The parent is made where it is missing. With a `marker`, an existing folder is only
+  /// replaced if it is empty or holds a file of that name (say "result.json"), so that a mistyped
+  /// target never costs anything but an older result.
+  StagedFolder(std::filesystem::path target, bool replace, std::string_view marker = {});
   ~StagedFolder();
   StagedFolder(const StagedFolder&) = delete;
   StagedFolder& operator=(const StagedFolder&) = delete;
@@ -29,8 +32,11 @@ class StagedFolder {
   bool committed_ = false;
 };
 
-/// Writes a file whole. Throws Error naming the file and the system's reason (a full disk, a missing
-/// permission).
+/// Writes a file whole. Throws Error naming the file and the system's reason (a full disk, a
+/// missing permission).
 void write_file(const std::filesystem::path& file, std::string_view content);
+
+/// The bytes of a file. Throws Error naming the file and the system's reason.
+std::string read_file(const std::filesystem::path& file);
 
 }  // namespace tegata
