@@ -16,11 +16,16 @@ namespace tegata {
 struct FitView {
   Camera camera;
   Silhouette silhouette;
-  Image<float> distance;              ///< signed, to the border of the hand [px]
+  /// Signed distance [px] to the border of the hand's pixels, positive inside.
+  Image<float> hand_distance;
+  /// The same for hand and unknown pixels together. Where the two agree, the nearest border is
+  /// proven: it lies between hand and background.
+  Image<float> possible_distance;
   std::vector<ContourPoint> contour;  ///< proven border of the hand
 };
 
-/// Computes distance and contour. The camera must be undistorted and of the silhouette's size.
+/// Computes distances and contour. Throws Error where the camera is distorted or not of the
+/// silhouette's size.
 FitView make_fit_view(const Camera& camera, Silhouette silhouette);
 
 }  // namespace tegata

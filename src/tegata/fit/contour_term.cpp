@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/contour_term.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tegata/fit/outline.h"
+#include "tegata/image/distance_transform.h"
+#include "tegata/math/robust_kernel.h"
+
+namespace tegata {
+namespace {
+
+// Two distances agree on which border is the nearest one.
+constexpr float kSameBorderPx = 0.25F;
+// An outline point and a contour point belong together if they face the same way within 60 degrees.
+constexpr double kLeastNormalProduct = 0.5;
+
+class OutlineSum {
+ public:
+  OutlineSum(const PosedHand& posed, const FitView& view, const ContourTermOptions& options,
+             double count, double scale, FrameEquations& equations)
+      : posed_(posed),
+        camera_(view.camera),
+        sigma_{options.sigma * scale, options.violation_sigma * scale},
+        precision_(options.weight / (count * options.standard_deviation *
+                                     options.standard_deviation * scale * scale)),
+        equations_(equations) {}
+
+  // `gap_px` is the residual, `direction` its gradient by the outline point's pixel, `distance_px`
+  // what the kernel is asked about.
+  void add(const OutlinePoint& point, double gap_px, const Eigen::Vector2d& direction,
+           double distance_px, bool is_violation) {
+    const double metres_per_px = metres_per_pixel(point);
+    const LorentzianKernel kernel(sigma_[is_violation ? 1 : 0]);
+    const double distance = distance_px * metres_per_px;
+    const ParameterRow jacobian =
+        (metres_per_px * direction.transpose() * project_jacobian(camera_, point.point)) *
+        outline_jacobian(posed_, point);
+    equations_.add(gap_px * metres_per_px, jacobian, precision_ * kernel.weight(distance),
+                   precision_ * kernel.cost(distance));
+  }
+  // A point without a counterpart costs what one at sigma costs, so that nothing is won by losing
+  // it.
+  void add_unmatched() {
+    equations_.cost += precision_ * LorentzianKernel(sigma_[0]).cost(sigma_[0]);
+  }
+
+ private:
+  double metres_per_pixel(const OutlinePoint& point) const {
+    return (camera_.camera_from_world * point.point).z() / camera_.fx;
+  }
+
+  const PosedHand& posed_;
+  const Camera& camera_;
+  double sigma_[2];
+  double precision_;
+  FrameEquations& equations_;
+};
+
+// Outline points against the distance to the silhouette's border. Positive gap: hand pixels lie
+// outside the outline.
+void add_outline_to_silhouette(const std::vector<OutlinePoint>& outline, const FitView& view,
+                               OutlineSum& sum) {
+  for (const OutlinePoint& point : outline) {
+    if (!point.beyond_wrist) continue;
+    const double x = point.pixel.x(), y = point.pixel.y();
+    const float gap = sample_bilinear(view.hand_distance, x, y);
+    if (std::abs(gap - sample_bilinear(view.possible_distance, x, y)) > kSameBorderPx) continue;
+    const Eigen::Vector2d gradient(0.5 * (sample_bilinear(view.hand_distance, x + 1.0, y) -
+                                          sample_bilinear(view.hand_distance, x - 1.0, y)),
+                                   0.5 * (sample_bilinear(view.hand_distance, x, y + 1.0) -
+                                          sample_bilinear(view.hand_distance, x, y - 1.0)));
+    // The distance falls outwards; a border that faces another way is another finger's.
+    if (-gradient.dot(point.normal) < kLeastNormalProduct) {
+      sum.add_unmatched();
+    } else {
+      sum.add(point, gap, gradient, std::abs(gap), gap > 0.0F);
+    }
+  }
+}
+
+const OutlinePoint* nearest_facing(const std::vector<OutlinePoint>& outline,
+                                   const ContourPoint& contour_point) {
+  const OutlinePoint* best = nullptr;
+  double best_squared = std::numeric_limits<double>::infinity();
+  for (const OutlinePoint& point : outline) {
+    const double squared = (point.pixel - contour_point.pixel).squaredNorm();
+    if (squared < best_squared && point.normal.dot(contour_point.normal) > kLeastNormalProduct) {
+      best_squared = squared;
+      best = &point;
+    }
+  }
+  return best;
+}
+
+// Contour points of the silhouette against the nearest outline point that faces the same way.
+void add_silhouette_to_outline(const std::vector<OutlinePoint>& outline, const FitView& view,
+                               OutlineSum& sum) {
+  for (const ContourPoint& contour_point : view.contour) {
+    const OutlinePoint* point = nearest_facing(outline, contour_point);
+    if (point == nullptr || !point->beyond_wrist) {
+      sum.add_unmatched();
+      continue;
+    }
+    const Eigen::Vector2d difference = point->pixel - contour_point.pixel;
+    const double gap = -contour_point.normal.dot(difference);
+    sum.add(*point, gap, -contour_point.normal, difference.norm(), gap > 0.0);
+  }
+}
+
+}  // namespace
+
+void add_contour_term(const FitHand& hand, const PosedHand& posed, const FitView& view,
+                      const ContourTermOptions& options, FrameEquations& equations) {
+  const std::vector<OutlinePoint> outline = hand_outline(hand, posed, view.camera);
+  if (outline.empty() || view.contour.empty()) return;
+  OutlineSum outline_sum(posed, view, options, static_cast<double>(outline.size()), hand.scale,
+                         equations);
+  add_outline_to_silhouette(outline, view, outline_sum);
+  OutlineSum contour_sum(posed, view, options, static_cast<double>(view.contour.size()), hand.scale,
+                         equations);
+  add_silhouette_to_outline(outline, view, contour_sum);
+}
+
+}  // namespace tegata

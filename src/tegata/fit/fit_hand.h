@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tegata/hand/hand_model.h"
+
+namespace tegata {
+
+/// An edge of the hand's surface, each pair of neighbouring vertices once.
+struct SurfaceEdge {
+  std::uint32_t a = 0, b = 0;
+};
+
+/// A hand model with what the fit needs to know of it once. Keeps a reference to the model, which
+/// must outlive it.
+struct FitHand {
+  explicit FitHand(const HandModel& hand);
+
+  const HandModel* model;
+  /// Size relative to a hand whose wrist and middle fingertip are 0.18 m apart: every length of the
+  /// options is multiplied by it, so that a scene in another unit has the same answer.
+  double scale = 1.0;
+  std::vector<SurfaceEdge> edges;
+  /// One a vertex: 1 on the finger side of the wrist, 0 on the forearm, which bends on its own and
+  /// says nothing of the hand's pose.
+  std::vector<std::uint8_t> beyond_wrist;
+};
+
+}  // namespace tegata

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/frame_fit.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "tegata/base/error.h"
+#include "tegata/base/parallel.h"
+
+namespace tegata {
+namespace {
+
+// The mean squared residual of a term has this many independent residuals' worth: what weighs the
+// images against the prior.
+constexpr double kIndependentResiduals = 30.0;
+
+FitStage hull_stage(double sigma, int most_iterations) {
+  FitStage stage;
+  stage.hull = HullTermOptions{.sigma = sigma, .weight = kIndependentResiduals};
+  stage.most_iterations = most_iterations;
+  return stage;
+}
+
+FitStage contour_stage(double sigma, double violation_sigma, int most_iterations) {
+  FitStage stage = hull_stage(0.006, most_iterations);
+  stage.hull->weight *= 0.3;
+  stage.contour = ContourTermOptions{
+      .sigma = sigma, .violation_sigma = violation_sigma, .weight = kIndependentResiduals};
+  return stage;
+}
+
+}  // namespace
+
+FitSchedule frame_schedule() {
+  return {{hull_stage(0.03, 12), hull_stage(0.012, 15), contour_stage(0.008, 0.016, 12),
+           contour_stage(0.003, 0.01, 15)}};
+}
+
+FitSchedule grasp_schedule() {
+  return {{contour_stage(0.006, 0.012, 15), contour_stage(0.0025, 0.008, 25)}};
+}
+
+FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& start,
+                   const FitSchedule& schedule) {
+  HandEstimate estimate{start.angles, {start.world_from_hand}};
+  const FitFrame* const frames[] = {&frame};
+  FrameFit fit;
+  int iterations = 0;
+  for (const FitStage& stage : schedule.stages) {
+    fit.report = minimise(hand, frames, stage, 1, estimate);
+    iterations += fit.report.iterations;
+  }
+  fit.report.iterations = iterations;
+  fit.pose = estimate.pose(0);
+  return fit;
+}
+
+FrameFit fit_frame_from_best(const FitHand& hand, const FitFrame& frame,
+                             const std::vector<HandPose>& starts, std::size_t kept,
+                             const FitSchedule& schedule, int threads) {
+  if (starts.empty() || schedule.stages.empty()) {
+    throw Error("frame fit: got ", starts.size(), " starts and ", schedule.stages.size(),
+                " stages, expected at least one of each");
+  }
+  const auto fit_all = [&](const std::vector<HandPose>& from, const FitSchedule& stages) {
+    std::vector<FrameFit> fits(from.size());
+    parallel_for(from.size(), threads,
+                 [&](std::size_t i) { fits[i] = fit_frame(hand, frame, from[i], stages); });
+    std::stable_sort(fits.begin(), fits.end(), [](const FrameFit& a, const FrameFit& b) {
+      return a.report.energy < b.report.energy;
+    });
+    return fits;
+  };
+  std::vector<FrameFit> rough = fit_all(starts, {{schedule.stages.front()}});
+  rough.resize(std::min(rough.size(), std::max<std::size_t>(kept, 1)));
+  std::vector<HandPose> best;
+  for (const FrameFit& fit : rough) best.push_back(fit.pose);
+  return fit_all(best, schedule).front();
+}
+
+}  // namespace tegata

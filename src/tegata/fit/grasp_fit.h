@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tegata/base/observer.h"
+#include "tegata/fit/frame_fit.h"
+#include "tegata/fit/start.h"
+
+namespace tegata {
+
+enum class GraspConstraint {
+  fixed,  ///< one set of angles for all frames (the paper, V: simultaneous estimation)
+  free,   ///< each frame has its own
+};
+
+struct GraspFitOptions {
+  GraspConstraint grasp = GraspConstraint::fixed;
+  FitSchedule frame = frame_schedule();
+  FitSchedule all_frames = grasp_schedule();
+  int start_orientations = 64;  ///< tried in the first frame without landmarks
+  int threads = 0;
+};
+
+struct GraspFit {
+  std::vector<HandPose> poses;      ///< one a frame
+  JointAngles angles;               ///< shared, or the mean of the frames'
+  JointAngles standard_deviations;  ///< of `angles` [rad]
+  int iterations = 0;
+  Termination termination = Termination::iteration_limit;
+  double frame_seconds = 0.0, all_frames_seconds = 0.0;
+};
+
+/// Finds the hand in all frames: the first from the landmarks or, without them, from many
+/// orientations; each next one from the one before; then all frames at once with one set of angles,
+/// so that frames in which something hides a finger lose their influence on it. `frames` must not
+/// be empty and each needs a hull; throws Error otherwise.
+GraspFit fit_grasp(const FitHand& hand, const std::vector<FitFrame>& frames,
+                   const TriangleMesh& first_hull, const std::optional<StartLandmarks>& landmarks,
+                   const GraspFitOptions& options, const Observer& observer);
+
+}  // namespace tegata

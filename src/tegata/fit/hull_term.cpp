@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/hull_term.h"
+
+#include "tegata/base/error.h"
+#include "tegata/math/robust_kernel.h"
+
+namespace tegata {
+namespace {
+
+std::vector<Eigen::Vector3d> proven_vertices(const TriangleMesh& hull,
+                                             std::vector<Eigen::Vector3d>& normals) {
+  if (hull.normals.size() != hull.vertices.size()) {
+    throw Error("hull: got ", hull.normals.size(), " normals for ", hull.vertices.size(),
+                " vertices, expected one each");
+  }
+  std::vector<Eigen::Vector3d> vertices;
+  for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
+    if (!hull.unproven.empty() && hull.unproven[i] != 0) continue;
+    vertices.push_back(hull.vertices[i]);
+    normals.push_back(hull.normals[i]);
+  }
+  if (vertices.empty()) throw Error("hull: no vertex is proven by the silhouettes");
+  return vertices;
+}
+
+// Adds one pair of points whose difference is hand - hull, along the normal of the one that was
+// found as the closest.
+class PairSum {
+ public:
+  PairSum(const PosedHand& posed, const HullTermOptions& options, double count, double scale,
+          FrameEquations& equations)
+      : posed_(posed),
+        sigma_(options.sigma * scale),
+        kernel_(sigma_),
+        // The mean over the points, not their number, has a weight: a finer mesh knows no more.
+        precision_(options.weight / (count * square(options.standard_deviation * scale))),
+        equations_(equations) {}
+
+  void add(std::size_t hand_vertex, const Eigen::Vector3d& difference,
+           const Eigen::Vector3d& normal) {
+    const double distance = difference.norm();
+    equations_.add(normal.dot(difference), normal.transpose() * posed_.vertex_jacobian(hand_vertex),
+                   precision_ * kernel_.weight(distance), precision_ * kernel_.cost(distance));
+  }
+  // A pair without a meaning costs what one at sigma costs, so that nothing is won by losing pairs.
+  void add_unmatched() { equations_.cost += precision_ * kernel_.cost(sigma_); }
+
+ private:
+  static double square(double x) { return x * x; }
+
+  const PosedHand& posed_;
+  double sigma_;
+  LorentzianKernel kernel_;
+  double precision_;
+  FrameEquations& equations_;
+};
+
+}  // namespace
+
+HullTarget::HullTarget(const TriangleMesh& hull) : nearest(proven_vertices(hull, normals)) {}
+
+void add_hull_term(const FitHand& hand, const PosedHand& posed, const HullTarget& hull,
+                   const HullTermOptions& options, FrameEquations& equations) {
+  const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
+  const std::vector<Eigen::Vector3d>& hull_vertices = hull.nearest.points();
+
+  PairSum towards_hull(posed, options, static_cast<double>(vertices.size()), hand.scale, equations);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (hand.beyond_wrist[i] == 0) continue;
+    const std::uint32_t match = hull.nearest.nearest(vertices[i]).index;
+    if (posed.normals()[i].dot(hull.normals[match]) <= 0.0) {
+      towards_hull.add_unmatched();
+    } else {
+      towards_hull.add(i, vertices[i] - hull_vertices[match], hull.normals[match]);
+    }
+  }
+
+  const NearestPoint nearest_vertex(vertices);
+  PairSum towards_hand(posed, options, static_cast<double>(hull_vertices.size()), hand.scale,
+                       equations);
+  for (std::size_t i = 0; i < hull_vertices.size(); ++i) {
+    const std::uint32_t match = nearest_vertex.nearest(hull_vertices[i]).index;
+    const Eigen::Vector3d& normal = posed.normals()[match];
+    if (hand.beyond_wrist[match] == 0 || normal.dot(hull.normals[i]) <= 0.0) {
+      towards_hand.add_unmatched();
+    } else {
+      towards_hand.add(match, vertices[match] - hull_vertices[i], normal);
+    }
+  }
+}
+
+}  // namespace tegata

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tegata/fit/fit_hand.h"
+#include "tegata/fit/normal_equations.h"
+#include "tegata/hand/hand_model.h"
+#include "tegata/mesh/closest_point.h"
+#include "tegata/mesh/triangle_mesh.h"
+
+namespace tegata {
+
+/// A visual hull made ready for closest-point queries.
+struct HullTarget {
+  /// The mesh needs normals; vertices marked as unproven attract nothing and are left out. Throws
+  /// Error where none remain.
+  explicit HullTarget(const TriangleMesh& hull);
+
+  std::vector<Eigen::Vector3d> normals;
+  NearestPoint nearest;
+};
+
+struct HullTermOptions {
+  double sigma = 0.02;                ///< of the Lorentzian kernel [m]
+  double standard_deviation = 0.004;  ///< of a hull vertex off the hand's surface [m]
+  double weight = 1.0;                ///< of the whole term
+};
+
+/// The surface of the hull, both ways: for each vertex of the hand the closest vertex of the hull
+/// (3DTM; the paper, IV-A) and for each vertex of the hull the closest one of the hand. The step
+/// takes the distance to the tangent plane, the Lorentzian weight the distance of the points. Pairs
+/// whose normals point apart are left out, as is the forearm.
+void add_hull_term(const FitHand& hand, const PosedHand& posed, const HullTarget& hull,
+                   const HullTermOptions& options, FrameEquations& equations);
+
+}  // namespace tegata

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/outline.h"
+
+#include <cmath>
+
+#include "tegata/image/rasterizer.h"
+
+namespace tegata {
+namespace {
+
+// How far beside the outline the picture of the hand is asked for the hand, on either side. Less
+// and the outline of a coarse mesh would be missed, more and fingers close together would look like
+// one.
+constexpr double kProbePx = 1.5;
+
+bool covered(const Silhouette& silhouette, const Eigen::Vector2d& pixel) {
+  const int x = static_cast<int>(std::lround(pixel.x()));
+  const int y = static_cast<int>(std::lround(pixel.y()));
+  return silhouette.contains(x, y) && silhouette(x, y) == PixelLabel::hand;
+}
+
+}  // namespace
+
+std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& posed,
+                                       const Camera& camera) {
+  const Silhouette seen = render_silhouette(posed.surface(), camera);
+  const Eigen::Vector3d eye = camera.center_in_world();
+  const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
+  const std::vector<Eigen::Vector3d>& normals = posed.normals();
+  std::vector<double> facing(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    facing[i] = normals[i].dot(eye - vertices[i]);
+  }
+
+  std::vector<OutlinePoint> outline;
+  for (const SurfaceEdge& edge : hand.edges) {
+    const double at_a = facing[edge.a], at_b = facing[edge.b];
+    if ((at_a > 0.0) == (at_b > 0.0)) continue;
+    OutlinePoint point;
+    point.a = edge.a;
+    point.b = edge.b;
+    point.fraction = at_a / (at_a - at_b);
+    point.point = (1.0 - point.fraction) * vertices[edge.a] + point.fraction * vertices[edge.b];
+    const auto pixel = project(camera, point.point);
+    if (!pixel || !camera.contains(*pixel)) continue;
+    const Eigen::Vector3d normal =
+        (1.0 - point.fraction) * normals[edge.a] + point.fraction * normals[edge.b];
+    const Eigen::Vector2d direction =
+        (camera.camera_from_world.rotation * normal).head<2>().normalized();
+    if (!direction.allFinite()) continue;
+    if (covered(seen, *pixel + kProbePx * direction)) continue;
+    if (!covered(seen, *pixel - kProbePx * direction)) continue;
+    point.pixel = *pixel;
+    point.normal = direction;
+    point.beyond_wrist = hand.beyond_wrist[edge.a] != 0 && hand.beyond_wrist[edge.b] != 0;
+    outline.push_back(point);
+  }
+  return outline;
+}
+
+PointJacobian outline_jacobian(const PosedHand& posed, const OutlinePoint& point) {
+  return (1.0 - point.fraction) * posed.vertex_jacobian(point.a) +
+         point.fraction * posed.vertex_jacobian(point.b);
+}
+
+}  // namespace tegata

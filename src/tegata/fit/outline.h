@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "tegata/camera/camera.h"
+#include "tegata/fit/fit_hand.h"
+#include "tegata/hand/hand_model.h"
+
+namespace tegata {
+
+/// A point of the posed hand where its surface turns away from a camera and that lies on the border
+/// of what the camera sees of it.
+struct OutlinePoint {
+  std::uint32_t a = 0, b = 0;  ///< the ends of the surface edge that it lies on
+  double fraction = 0.0;       ///< from a to b
+  Eigen::Vector3d point;       ///< world [m]
+  Eigen::Vector2d pixel;
+  Eigen::Vector2d normal;  ///< in the picture, unit, away from the hand
+  bool beyond_wrist = true;
+};
+
+/// The outline of the hand in a camera without distortion. Found on the edges of the surface along
+/// which the normal passes from towards the camera to away from it; of these, those with the hand
+/// on one side in the picture and nothing on the other. Points that the picture does not show are
+/// left out.
+std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& posed,
+                                       const Camera& camera);
+
+/// d point / d parameters.
+PointJacobian outline_jacobian(const PosedHand& posed, const OutlinePoint& point);
+
+}  // namespace tegata

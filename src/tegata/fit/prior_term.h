@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "tegata/fit/normal_equations.h"
+#include "tegata/hand/skeleton.h"
+
+namespace tegata {
+
+/// What is known of the angles before any picture. Standard deviations in radians.
+struct PriorTermOptions {
+  double limit_standard_deviation = 0.05;     ///< beyond a joint limit
+  double flexion_standard_deviation = 0.8;    ///< about the relaxed hand
+  double abduction_standard_deviation = 0.2;  ///< about the relaxed hand
+  double coupling_standard_deviation = 0.3;   ///< of a DIP joint about two thirds of its PIP joint
+  double weight = 1.0;                        ///< of the whole term
+  /// The angles of the frame before, where there is one.
+  std::optional<JointAngles> previous;
+  double previous_standard_deviation = 0.15;
+};
+
+/// Joint limits (one-sided), the relaxed hand, the coupling of the two last joints of a finger (the
+/// rule of two thirds; Rijpkema and Girard 1991) and the previous frame, as quadratic terms of the
+/// angles.
+void add_prior_term(const JointAngles& angles, const PriorTermOptions& options,
+                    FrameEquations& equations);
+
+}  // namespace tegata

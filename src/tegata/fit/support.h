@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tegata/fit/fit_hand.h"
+#include "tegata/fit/view.h"
+#include "tegata/hand/hand_model.h"
+
+namespace tegata {
+
+/// For each bone how much of its surface the views back up: the share of its vertices that, in
+/// every view that shows the vertex, lie on (or within two pixels of) a hand pixel. 1 is seen and
+/// explained, 0 hidden or contradicted; 0 as well where no view shows the vertex.
+std::array<double, kBoneCount> bone_support(const FitHand& hand, const PosedHand& posed,
+                                            const std::vector<FitView>& views);
+
+/// Intersection over union of the posed hand's silhouette and the seen one, over what lies on the
+/// finger side of the wrist: pixels nearer to the forearm's part of the picture than to the hand's
+/// are left out, as are unknown pixels. 0 where nothing overlaps.
+double silhouette_overlap(const FitHand& hand, const PosedHand& posed, const FitView& view);
+
+}  // namespace tegata

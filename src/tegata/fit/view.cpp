@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/view.h"
+
+#include <utility>
+
+#include "tegata/base/error.h"
+#include "tegata/image/distance_transform.h"
+
+namespace tegata {
+
+FitView make_fit_view(const Camera& camera, Silhouette silhouette) {
+  if (camera.is_distorted() || silhouette.width() != camera.width ||
+      silhouette.height() != camera.height) {
+    throw Error("camera '", camera.name, "': got a silhouette of ", silhouette.width(), " x ",
+                silhouette.height(), (camera.is_distorted() ? " and a distorted camera" : ""),
+                ", expected an undistorted camera and a size of ", camera.width, " x ",
+                camera.height);
+  }
+  FitView view;
+  view.camera = camera;
+  view.hand_distance =
+      signed_distance(silhouette, [](PixelLabel label) { return label == PixelLabel::hand; });
+  view.possible_distance =
+      signed_distance(silhouette, [](PixelLabel label) { return label != PixelLabel::background; });
+  view.contour = silhouette_contour(silhouette);
+  view.silhouette = std::move(silhouette);
+  return view;
+}
+
+}  // namespace tegata
