@@ -10,7 +10,8 @@
 namespace tegata {
 
 /// The signed distance [px] of each pixel's centre to the edge of the set of pixels that `inside`
-/// says: positive inside. The edge lies half way between pixels. Exact (Felzenszwalb and
+/// says: positive inside. That is the distance to the nearest pixel centre of the other kind less
+/// half a pixel, as the edge lies half way between pixels. Exact (Felzenszwalb and
 /// Huttenlocher 2012). Where no pixel is inside (or none outside), all are -(or +) width + height.
 Image<float> signed_distance(const Silhouette& silhouette,
                              const std::function<bool(PixelLabel)>& inside);

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// J. Pineda: A Parallel Algorithm for Polygon Rasterization. SIGGRAPH 1988. Corners are rounded to
+// a grid of 1/1024 pixel, so that edge functions are whole numbers and a pixel centre on a shared
+// edge belongs to exactly one of the two triangles (the top-left rule).
+#include "tegata/image/rasterizer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "tegata/image/lens_range.h"
+
+namespace tegata {
+namespace {
+
+constexpr int kGridBits = 10;
+constexpr std::int64_t kGrid = std::int64_t{1} << kGridBits;
+// Farther corners are not drawn; edge functions stay below 2^60.
+constexpr double kFarthest = 1 << 18;
+
+struct Corner {
+  std::int64_t x = 0, y = 0;  // in kGrid-ths of a pixel
+  double inverse_depth = 0.0;
+  bool visible = false;
+};
+
+std::vector<Corner> project_corners(const TriangleMesh& mesh, const Camera& camera) {
+  const double radius = invertible_radius(camera);
+  const Eigen::Matrix3d rotation = camera.camera_from_world.rotation.toRotationMatrix();
+  std::vector<Corner> corners(mesh.vertices.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d point =
+        rotation * mesh.vertices[i] + camera.camera_from_world.translation;
+    const auto pixel = project_camera_point(camera, point);
+    if (!pixel || point.head<2>().norm() > radius * point.z()) continue;
+    if (!(pixel->cwiseAbs().maxCoeff() < kFarthest)) continue;
+    corners[i] = {std::llround(pixel->x() * static_cast<double>(kGrid)),
+                  std::llround(pixel->y() * static_cast<double>(kGrid)), 1.0 / point.z(), true};
+  }
+  return corners;
+}
+
+// The edge function of a -> b: positive on the inner side of a triangle of positive area.
+struct Edge {
+  Edge(const Corner& a, const Corner& b, int x, int y)
+      : step_x((a.y - b.y) * kGrid),
+        step_y((b.x - a.x) * kGrid),
+        at_row((b.x - a.x) * (y * kGrid - a.y) - (b.y - a.y) * (x * kGrid - a.x)),
+        threshold(b.y < a.y || (b.y == a.y && b.x > a.x) ? 0 : 1) {}
+
+  std::int64_t step_x, step_y;
+  std::int64_t at_row;     // at the first pixel of the row
+  std::int64_t threshold;  // 0 for top and left edges, whose own points belong to the triangle
+};
+
+std::int64_t twice_area(const Corner& a, const Corner& b, const Corner& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+struct PixelBox {
+  int left, top, right, bottom;  // inclusive
+};
+
+PixelBox pixel_box(const std::array<Corner, 3>& c, const Camera& camera) {
+  const auto [left, right] = std::minmax({c[0].x, c[1].x, c[2].x});
+  const auto [top, bottom] = std::minmax({c[0].y, c[1].y, c[2].y});
+  const auto up = [](std::int64_t v) { return static_cast<int>((v + kGrid - 1) >> kGridBits); };
+  const auto down = [](std::int64_t v) { return static_cast<int>(v >> kGridBits); };
+  return {std::max(0, up(left)), std::max(0, up(top)), std::min(camera.width - 1, down(right)),
+          std::min(camera.height - 1, down(bottom))};
+}
+
+// Calls visit(x, y, 1 / depth) for every pixel centre in the triangle.
+template <typename Visit>
+void scan_triangle(std::array<Corner, 3> c, const Camera& camera, const Visit& visit) {
+  std::int64_t area = twice_area(c[0], c[1], c[2]);
+  if (area == 0) return;
+  if (area < 0) {
+    std::swap(c[1], c[2]);
+    area = -area;
+  }
+  const PixelBox box = pixel_box(c, camera);
+  if (box.left > box.right) return;
+  Edge e0(c[1], c[2], box.left, box.top), e1(c[2], c[0], box.left, box.top),
+      e2(c[0], c[1], box.left, box.top);
+  const double scale = 1.0 / static_cast<double>(area);
+  // 1 / z is linear in the picture: the corners' values weighted by the opposite edges' functions.
+  const double w0 = c[0].inverse_depth * scale, w1 = c[1].inverse_depth * scale,
+               w2 = c[2].inverse_depth * scale;
+  for (int y = box.top; y <= box.bottom; ++y) {
+    std::int64_t v0 = e0.at_row, v1 = e1.at_row, v2 = e2.at_row;
+    for (int x = box.left; x <= box.right; ++x) {
+      if (v0 >= e0.threshold && v1 >= e1.threshold && v2 >= e2.threshold) {
+        visit(x, y,
+              static_cast<double>(v0) * w0 + static_cast<double>(v1) * w1 +
+                  static_cast<double>(v2) * w2);
+      }
+      v0 += e0.step_x;
+      v1 += e1.step_x;
+      v2 += e2.step_x;
+    }
+    e0.at_row += e0.step_y;
+    e1.at_row += e1.step_y;
+    e2.at_row += e2.step_y;
+  }
+}
+
+// Calls visit(x, y, 1 / depth, triangle) for every pixel centre in every triangle.
+template <typename Visit>
+void scan_mesh(const TriangleMesh& mesh, const Camera& camera, const Visit& visit) {
+  const std::vector<Corner> corners = project_corners(mesh, camera);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const std::array<Corner, 3> c = {corners[t[0]], corners[t[1]], corners[t[2]]};
+    if (!c[0].visible || !c[1].visible || !c[2].visible) continue;
+    scan_triangle(c, camera, [&](int x, int y, double inverse_depth) {
+      visit(x, y, inverse_depth, static_cast<std::int32_t>(i));
+    });
+  }
+}
+
+}  // namespace
+
+RenderedMesh render(const TriangleMesh& mesh, const Camera& camera) {
+  RenderedMesh picture{
+      Image<float>(camera.width, camera.height, std::numeric_limits<float>::infinity()),
+      Image<std::int32_t>(camera.width, camera.height, -1)};
+  scan_mesh(mesh, camera, [&](int x, int y, double inverse_depth, std::int32_t triangle) {
+    const float depth = static_cast<float>(1.0 / inverse_depth);
+    if (depth >= picture.depth(x, y)) return;  // of two at the same depth the first one stays
+    picture.depth(x, y) = depth;
+    picture.triangle(x, y) = triangle;
+  });
+  return picture;
+}
+
+Silhouette render_silhouette(const TriangleMesh& mesh, const Camera& camera) {
+  Silhouette silhouette(camera.width, camera.height, PixelLabel::background);
+  scan_mesh(mesh, camera,
+            [&](int x, int y, double, std::int32_t) { silhouette(x, y) = PixelLabel::hand; });
+  return silhouette;
+}
+
+}  // namespace tegata
