@@ -68,16 +68,18 @@ function(tegata_module)
   endif()
 
   if(TEGATA_TESTS AND tests)
-    tegata_test(NAME ${target}_test SOURCES ${tests} LIBRARIES ${target})
+    tegata_test(NAME ${target}_test LABEL unit SOURCES ${tests} LIBRARIES ${target})
+    add_dependencies(unit_tests ${target}_test)
   endif()
 endfunction()
 
-# tegata_test(NAME <target> SOURCES <file>... LIBRARIES <target>...)
+# tegata_test(NAME <target> LABEL <label> SOURCES <file>... LIBRARIES <target>...)
 #
 # A GoogleTest program whose cases ctest runs one by one. TEGATA_DATA_DIR is where recordings from
-# elsewhere lie, if anywhere: such tests skip with a message where the folder is absent.
+# elsewhere lie, if anywhere: such tests skip with a message where the folder is absent. The label
+# tells the rooms' tests (unit) from those of the whole program (end_to_end).
 function(tegata_test)
-  cmake_parse_arguments(ARG "" "NAME" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "NAME;LABEL" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${ARG_NAME} ${ARG_SOURCES})
   target_link_libraries(${ARG_NAME} PRIVATE
     tegata_flags ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
@@ -86,5 +88,6 @@ function(tegata_test)
     TEGATA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     TEGATA_DATA_DIR="${PROJECT_SOURCE_DIR}/../shared/data")
   include(GoogleTest)
-  gtest_discover_tests(${ARG_NAME} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(${ARG_NAME} DISCOVERY_MODE PRE_TEST
+                       PROPERTIES TIMEOUT 600 LABELS ${ARG_LABEL})
 endfunction()

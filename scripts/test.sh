@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The tegata authors
+# SPDX-License-Identifier: Apache-2.0
+#
+# Installs what is missing, builds everything and runs every test: format and floors, the rooms'
+# tests under the address and undefined-behaviour sanitizers, then the whole suite (rooms, program
+# end to end, bad input, README, installed consumer) in release.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+scripts/install_dependencies.sh test
+scripts/check_format.sh
+scripts/check_floors.sh
+
+cmake --preset release
+cmake --build --preset release
+cmake --preset asan
+cmake --build --preset asan --target unit_tests
+
+jobs=$(nproc)
+ctest --preset asan --no-tests=error -L unit -j "$jobs"
+ctest --preset release --no-tests=error -j "$jobs"
