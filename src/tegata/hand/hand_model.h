@@ -24,7 +24,7 @@ struct HandModel {
   std::string name;
   Skeleton skeleton;
   JointAngles rest_angles = JointAngles::Zero();  ///< at which the surface is given
-  TriangleMesh rest_surface;                      ///< in the hand's frame [m]
+  TriangleMesh rest_surface;                      ///< in the hand's frame [m], with normals
   std::vector<SkinLinks> links;                   ///< one a vertex
 };
 
@@ -37,8 +37,9 @@ struct HandPose {
 /// The other hand: surface mirrored and turned right side out again.
 HandModel mirrored(const HandModel& model);
 
-/// Throws Error naming what does not fit: links that are not one a vertex, weights that are negative
-/// or do not sum to 1, a surface without triangles, numbers that are not finite.
+/// Throws Error naming what does not fit: links or normals that are not one a vertex, weights that
+/// are negative or do not sum to 1, a surface without triangles, axes that are not unit vectors,
+/// numbers that are not finite.
 void check_hand(const HandModel& model);
 
 /// The bone that moves a vertex most.
@@ -55,8 +56,8 @@ using PointJacobian = Eigen::Matrix<double, 3, kHandParameterCount>;
 /// and angles added.
 HandPose advanced(const HandPose& pose, const Eigen::Matrix<double, kHandParameterCount, 1>& step);
 
-/// A hand model put into a pose: world vertices and normals by linear blend skinning (with two links
-/// a vertex the weighted interior division of the paper, III-B-2), and their derivatives.
+/// A hand model put into a pose: world vertices and normals by linear blend skinning (with two
+/// links a vertex the weighted interior division of the paper, III-B-2), and their derivatives.
 class PosedHand {
  public:
   /// Keeps a reference to the model, which must outlive it.
@@ -75,9 +76,17 @@ class PosedHand {
   PointJacobian keypoint_jacobian(int keypoint) const;
 
  private:
+  /// Rotation and translation side by side.
+  using BoneMatrix = Eigen::Matrix<double, 3, 4>;
+
+  PointJacobian rigid_jacobian(const Eigen::Vector3d& point_in_world) const;
+  /// What the angles do to a point that is fixed to a bone, times a weight.
+  void add_angle_columns(int bone, double weight, const Eigen::Vector3d& point_in_world,
+                         PointJacobian& jacobian) const;
+
   const HandModel* model_;
   HandPose pose_;
-  std::array<Rigid3d, kBoneCount> world_from_rest_;         ///< of each bone
+  std::array<BoneMatrix, kBoneCount> world_from_rest_;  ///< of each bone
   std::array<JointAxis, kAngleCount> axes_in_world_;
   std::vector<Eigen::Vector3d> vertices_;
   std::vector<Eigen::Vector3d> normals_;

@@ -10,11 +10,11 @@
 
 namespace tegata {
 
-inline constexpr int kAngleCount = 20;          ///< joint angles
-inline constexpr int kPoseParameterCount = 6;   ///< rotation 3, translation 3
+inline constexpr int kAngleCount = 20;         ///< joint angles
+inline constexpr int kPoseParameterCount = 6;  ///< rotation 3, translation 3
 inline constexpr int kHandParameterCount = kPoseParameterCount + kAngleCount;
-inline constexpr int kBoneCount = 16;           ///< the palm and three a digit
-inline constexpr int kKeypointCount = 21;       ///< wrist and four a digit
+inline constexpr int kBoneCount = 16;      ///< the palm and three a digit
+inline constexpr int kKeypointCount = 21;  ///< wrist and four a digit
 inline constexpr int kDigitCount = 5;
 
 /// The joint angles [rad] in the order of angle_names(): thumb CMC abduction, CMC flexion, MCP
@@ -49,7 +49,8 @@ constexpr int bone_of_angle(int angle) {
   const int digit = angle / 4, within = angle % 4;
   return 1 + 3 * digit + (within < 2 ? 0 : within - 1);
 }
-/// The bone that a keypoint is fixed to: for joints the bone above, so that it moves with its parent.
+/// The bone that a keypoint is fixed to: for joints the bone above, so that it moves with its
+/// parent.
 constexpr int bone_of_keypoint(int keypoint) {
   if (keypoint == 0) return 0;
   const int digit = (keypoint - 1) / 4, within = (keypoint - 1) % 4;
@@ -84,7 +85,8 @@ Skeleton mirrored(const Skeleton& skeleton);
 
 /// For each bone the transform, in the hand's frame, from where it lies at zero angles to where the
 /// angles take it. The palm's is the identity.
-std::array<Rigid3d, kBoneCount> bone_transforms(const Skeleton& skeleton, const JointAngles& angles);
+std::array<Rigid3d, kBoneCount> bone_transforms(const Skeleton& skeleton,
+                                                const JointAngles& angles);
 
 /// A turn that one angle makes, in the hand's frame at given angles.
 struct JointAxis {
