@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tegata/fit/solver.h"
+#include "tegata/hull/visual_hull.h"
+#include "tegata/mesh/triangle_mesh.h"
+#include "tegata/pipeline/silhouettes.h"
+#include "tegata/take/take.h"
+
+namespace tegata {
+
+/// A frame on its way from pictures to the fit.
+struct PreparedFrame {
+  std::string name;
+  double time = 0.0;               ///< [s]
+  std::string refusal;             ///< why it cannot be fitted; empty where it can
+  std::vector<std::string> notes;  ///< what a user should know of it
+  FitFrame frame;                  ///< of the views in which the hand was seen
+  TriangleMesh hull;               ///< simplified
+  double segment_seconds = 0.0, hull_seconds = 0.0;
+};
+
+/// Segments and undistorts a frame's pictures and intersects their volumes. What is wrong with one
+/// frame becomes its refusal, not an error.
+PreparedFrame prepare_frame(const Take& take, const TakeFrame& pictures, SegmentationMethod method,
+                            const HullOptions& options);
+
+}  // namespace tegata
