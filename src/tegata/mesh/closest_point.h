@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,12 +26,18 @@ class NearestPoint {
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
  private:
+  struct Search;
+  void choose_cells();
+  void search_run(std::size_t first_cell, std::size_t last_cell, Search& search) const;
+  void search_shell(int radius, Search& search) const;
+
   std::vector<Eigen::Vector3d> points_;
   Eigen::Vector3d origin_;
   double cell_size_ = 0.0;
   Eigen::Array3i cells_per_axis_;
-  std::vector<std::uint32_t> cell_start_;   ///< where each cell's run begins in order_
-  std::vector<std::uint32_t> order_;        ///< point indices by cell
+  std::vector<std::uint32_t> cell_start_;  ///< where each cell's run begins in order_
+  std::vector<std::uint32_t> order_;       ///< point indices by cell
+  std::vector<Eigen::Vector3d> sorted_;    ///< points in that order
 };
 
 /// The nearest point on a fixed set of triangles, by a tree of boxes.
@@ -44,6 +51,7 @@ class NearestSurface {
     std::uint32_t triangle = 0;
     double distance = 0.0;  ///< [m]
   };
+  /// The nearest point; of equally near triangles the lowest index.
   Match nearest(const Eigen::Vector3d& query) const;
 
  private:
@@ -58,7 +66,8 @@ class NearestSurface {
   std::vector<Node> nodes_;
 };
 
-/// The point of a triangle nearest to a query (Ericson, Real-Time Collision Detection, 5.1.5).
+/// The point of a triangle nearest to a query; of a triangle without area the nearest point of its
+/// sides.
 Eigen::Vector3d closest_point_on_triangle(const Eigen::Vector3d& query, const Eigen::Vector3d& a,
                                           const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 

@@ -8,16 +8,17 @@
 
 namespace tegata {
 
-/// Writes a binary little-endian PLY: float vertices [m], normals and marks where the mesh has them.
-/// Throws Error naming the file where it cannot be written whole.
+/// Writes a binary little-endian PLY: float vertices [m], normals and marks where the mesh has
+/// them. Throws Error naming the file where it cannot be written whole.
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 /// Reads a PLY (ascii or binary little-endian) with x y z, faces of any size (fanned into
-/// triangles), and nx ny nz if present; other properties are skipped. Throws Error naming the file
-/// and what is wrong in it.
+/// triangles), and nx ny nz and `unproven` if present; other properties and elements are skipped.
+/// Throws Error naming the file and what is wrong in it.
 TriangleMesh read_ply(const std::filesystem::path& file);
 
 /// Reads the v and f lines of a Wavefront OBJ; faces of any size are fanned into triangles.
+/// Throws Error naming the file, the line and what is wrong in it.
 TriangleMesh read_obj(const std::filesystem::path& file);
 
 }  // namespace tegata

@@ -38,16 +38,21 @@ Eigen::AlignedBox3d bounding_box(const TriangleMesh& mesh);
 
 /// What can be said of a mesh from its triangles alone.
 struct MeshTopology {
-  bool closed = false;     ///< every edge has a triangle on either side
-  bool oriented = false;   ///< neighbours run along their common edge in opposite directions
-  bool manifold = false;   ///< no edge has more than two triangles, no vertex more than one fan
-  int euler_number = 0;    ///< vertices in use - edges + triangles
-  int component_count = 0; ///< pieces connected by edges
+  bool closed = false;      ///< every edge has two triangles or more
+  bool oriented = false;    ///< neighbours run along their common edge in opposite directions
+  bool manifold = false;    ///< no edge has more than two triangles, no vertex more than one fan
+  int euler_number = 0;     ///< vertices in use - edges + triangles
+  int component_count = 0;  ///< pieces connected by edges
 };
 MeshTopology inspect_topology(const TriangleMesh& mesh);
 
-/// Throws Error unless all vertices are finite and all indices are in range.
+/// Throws Error unless all vertices are finite, all indices are in range, and normals and marks are
+/// absent or one a vertex.
 void check_mesh(const TriangleMesh& mesh);
+
+/// The mesh without the vertices that no triangle uses; the others keep their order, normals and
+/// marks.
+TriangleMesh without_unused_vertices(const TriangleMesh& mesh);
 
 /// The mesh without the connected pieces that have less than `fraction` of the largest piece's
 /// triangles, and without vertices that are no longer in use.

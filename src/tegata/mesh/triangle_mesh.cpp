@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/mesh/triangle_mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include "tegata/base/error.h"
+
+namespace tegata {
+namespace {
+
+// Disjoint sets of 0 .. count - 1; a set's root is its lowest element.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+  std::uint32_t root(std::uint32_t element) {
+    while (parent_[element] != element) {
+      parent_[element] = parent_[parent_[element]];
+      element = parent_[element];
+    }
+    return element;
+  }
+  void unite(std::uint32_t a, std::uint32_t b) {
+    a = root(a);
+    b = root(b);
+    if (a < b) {
+      parent_[b] = a;
+    } else {
+      parent_[a] = b;
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+// One side of a triangle. Corner c of triangle t has the number 3 t + c; a side has the number of
+// the corner at which it starts.
+struct Side {
+  std::uint32_t low = 0, high = 0;  // vertices, low <= high
+  std::uint32_t corner = 0;
+  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
+};
+
+std::uint32_t next_corner(std::uint32_t corner) {
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
+std::uint32_t vertex_at(const TriangleMesh& mesh, std::uint32_t corner) {
+  return mesh.triangles[corner / 3][corner % 3];
+}
+
+// All sides, those of one edge next to each other: counted into their lower vertices, then sorted
+// among the few that share it.
+std::vector<Side> sides_by_edge(const TriangleMesh& mesh) {
+  const auto corner_count = static_cast<std::uint32_t>(3 * mesh.triangles.size());
+  std::vector<std::uint32_t> start(mesh.vertices.size() + 1, 0);
+  const auto make_side = [&](std::uint32_t corner) {
+    const std::uint32_t a = vertex_at(mesh, corner), b = vertex_at(mesh, next_corner(corner));
+    return Side{std::min(a, b), std::max(a, b), corner};
+  };
+  for (std::uint32_t corner = 0; corner < corner_count; ++corner) {
+    ++start[make_side(corner).low + 1];
+  }
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<Side> sides(corner_count);
+  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+  for (std::uint32_t corner = 0; corner < corner_count; ++corner) {
+    const Side side = make_side(corner);
+    sides[next[side.low]++] = side;
+  }
+  for (std::size_t v = 0; v + 1 < start.size(); ++v) {
+    std::sort(sides.begin() + start[v], sides.begin() + start[v + 1],
+              [](const Side& a, const Side& b) {
+                return a.high != b.high ? a.high < b.high : a.corner < b.corner;
+              });
+  }
+  return sides;
+}
+
+// Calls visit(run of sides of one edge) for each edge.
+template <typename Visit>
+void for_each_edge(const std::vector<Side>& sides, const Visit& visit) {
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto last =
+        std::find_if(first, sides.end(), [&](const Side& side) { return !side.same_edge(*first); });
+    visit(first, last);
+    first = last;
+  }
+}
+
+DisjointSets pieces(const TriangleMesh& mesh, const std::vector<Side>& sides) {
+  DisjointSets triangles(mesh.triangles.size());
+  for_each_edge(sides, [&](auto first, auto last) {
+    for (auto side = first + 1; side != last; ++side) {
+      triangles.unite(first->corner / 3, side->corner / 3);
+    }
+  });
+  return triangles;
+}
+
+// Whether the triangles around each vertex are joined to one another by edges at that vertex.
+bool has_one_fan_a_vertex(const TriangleMesh& mesh, const std::vector<Side>& sides) {
+  DisjointSets corners(3 * mesh.triangles.size());
+  for_each_edge(sides, [&](auto first, auto last) {
+    for (auto side = first + 1; side != last; ++side) {
+      std::uint32_t a = first->corner, b = side->corner;
+      if (vertex_at(mesh, a) != vertex_at(mesh, b)) b = next_corner(b);
+      corners.unite(a, b);
+      corners.unite(next_corner(first->corner),
+                    b == side->corner ? next_corner(side->corner) : side->corner);
+    }
+  });
+  std::vector<std::uint8_t> seen(mesh.vertices.size(), 0);
+  for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+    if (corners.root(corner) != corner) continue;
+    std::uint8_t& fan = seen[vertex_at(mesh, corner)];
+    if (fan != 0) return false;
+    fan = 1;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> vertex_normals(const TriangleMesh& mesh) {
+  constexpr double kCancelled = 1e-12;
+  std::vector<Eigen::Vector3d> normals(mesh.vertices.size(), Eigen::Vector3d::Zero());
+  std::vector<double> areas(mesh.vertices.size(), 0.0);
+  for (const Triangle& t : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.vertices[t[0]];
+    const Eigen::Vector3d normal = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
+    const double area = normal.norm();
+    for (const std::uint32_t v : t) {
+      normals[v] += normal;
+      areas[v] += area;
+    }
+  }
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const double length = normals[v].norm();
+    if (length > kCancelled * areas[v]) {
+      normals[v] /= length;
+    } else {
+      normals[v].setZero();
+    }
+  }
+  return normals;
+}
+
+double enclosed_volume(const TriangleMesh& mesh) {
+  if (mesh.vertices.empty()) return 0.0;
+  // Tetrahedra are measured from a vertex, so that nothing is lost far from the origin.
+  const Eigen::Vector3d& apex = mesh.vertices.front();
+  double sixfold = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    sixfold += (mesh.vertices[t[0]] - apex)
+                   .dot((mesh.vertices[t[1]] - apex).cross(mesh.vertices[t[2]] - apex));
+  }
+  return sixfold / 6.0;
+}
+
+double surface_area(const TriangleMesh& mesh) {
+  double twofold = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.vertices[t[0]];
+    twofold += (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+  }
+  return 0.5 * twofold;
+}
+
+Eigen::AlignedBox3d bounding_box(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  return box;
+}
+
+MeshTopology inspect_topology(const TriangleMesh& mesh) {
+  check_mesh(mesh);
+  MeshTopology topology{.closed = true, .oriented = true, .manifold = true};
+  const std::vector<Side> sides = sides_by_edge(mesh);
+  int edge_count = 0;
+  for_each_edge(sides, [&](auto first, auto last) {
+    const auto count = last - first;
+    const auto upward = std::count_if(
+        first, last, [&](const Side& side) { return vertex_at(mesh, side.corner) == side.low; });
+    ++edge_count;
+    topology.closed &= count >= 2;
+    topology.oriented &= count == 1 || 2 * upward == count;
+    topology.manifold &= count <= 2 && first->low != first->high;
+  });
+  topology.manifold = topology.manifold && has_one_fan_a_vertex(mesh, sides);
+
+  std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) used[v] = 1;
+  }
+  const auto vertex_count = std::count(used.begin(), used.end(), std::uint8_t{1});
+  topology.euler_number =
+      static_cast<int>(vertex_count) - edge_count + static_cast<int>(mesh.triangles.size());
+  DisjointSets triangles = pieces(mesh, sides);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (triangles.root(t) == t) ++topology.component_count;
+  }
+  return topology;
+}
+
+void check_mesh(const TriangleMesh& mesh) {
+  const std::size_t vertex_count = mesh.vertices.size();
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    if (!mesh.vertices[v].allFinite()) {
+      throw Error("mesh: vertex ", v, " is (", mesh.vertices[v].transpose(),
+                  "), expected finite numbers");
+    }
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      if (v >= vertex_count) {
+        throw Error("mesh: triangle ", t, " uses vertex ", v, ", expected 0 to ", vertex_count,
+                    " - 1");
+      }
+    }
+  }
+  if (!mesh.normals.empty() && mesh.normals.size() != vertex_count) {
+    throw Error("mesh: got ", mesh.normals.size(), " normals, expected none or ", vertex_count);
+  }
+  if (!mesh.unproven.empty() && mesh.unproven.size() != vertex_count) {
+    throw Error("mesh: got ", mesh.unproven.size(), " marks, expected none or ", vertex_count);
+  }
+}
+
+TriangleMesh without_unused_vertices(const TriangleMesh& mesh) {
+  constexpr std::uint32_t kUnused = ~0u;
+  std::vector<std::uint32_t> new_index(mesh.vertices.size(), kUnused);
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) new_index[v] = 0;
+  }
+  TriangleMesh compact;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (new_index[v] == kUnused) continue;
+    new_index[v] = static_cast<std::uint32_t>(compact.vertices.size());
+    compact.vertices.push_back(mesh.vertices[v]);
+    if (!mesh.normals.empty()) compact.normals.push_back(mesh.normals[v]);
+    if (!mesh.unproven.empty()) compact.unproven.push_back(mesh.unproven[v]);
+  }
+  compact.triangles.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    compact.triangles.push_back({new_index[t[0]], new_index[t[1]], new_index[t[2]]});
+  }
+  return compact;
+}
+
+TriangleMesh without_small_components(const TriangleMesh& mesh, double fraction) {
+  DisjointSets triangles = pieces(mesh, sides_by_edge(mesh));
+  std::vector<std::uint32_t> size(mesh.triangles.size(), 0);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) ++size[triangles.root(t)];
+  const double least =
+      size.empty() ? 0.0
+                   : fraction * static_cast<double>(*std::max_element(size.begin(), size.end()));
+  TriangleMesh large = mesh;
+  large.triangles.clear();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (static_cast<double>(size[triangles.root(t)]) >= least) {
+      large.triangles.push_back(mesh.triangles[t]);
+    }
+  }
+  return without_unused_vertices(large);
+}
+
+}  // namespace tegata
