@@ -222,7 +222,7 @@ NearestSurface::Match NearestSurface::nearest(const Eigen::Vector3d& query) cons
       const Eigen::Vector3d point = closest_point_on_triangle(
           query, mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]);
       const double distance2 = (point - query).squaredNorm();
-      if (distance2 < best2 || (distance2 == best2 && order_[i] < best.triangle)) {
+      if (distance2 < best2) {
         best2 = distance2;
         best = {.point = point, .triangle = order_[i]};
       }

@@ -51,7 +51,7 @@ class NearestSurface {
     std::uint32_t triangle = 0;
     double distance = 0.0;  ///< [m]
   };
-  /// The nearest point; of equally near triangles the lowest index.
+  /// The nearest point; of triangles that are equally near to rounding, always the same one.
   Match nearest(const Eigen::Vector3d& query) const;
 
  private:

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/mesh/simplify.h"
+
+#include <gtest/gtest.h>
+
+#include "tegata/mesh/shapes_for_tests.h"
+
+namespace tegata {
+namespace {
+
+TEST(Simplify, KeepsTheShapeAndStaysClosed) {
+  const TriangleMesh fine = shapes::torus(0.10, 0.03, 150, 60);
+  const TriangleMesh coarse = simplify(fine, 2000);
+  EXPECT_LE(coarse.triangles.size(), 2100u);
+  EXPECT_GE(coarse.triangles.size(), 1900u);
+  EXPECT_NEAR(enclosed_volume(coarse) / enclosed_volume(fine), 1.0, 0.01);
+  const MeshTopology topology = inspect_topology(coarse);
+  EXPECT_TRUE(topology.closed);
+  EXPECT_TRUE(topology.oriented);
+  EXPECT_TRUE(topology.manifold);
+  EXPECT_EQ(topology.euler_number, 0);
+  ASSERT_EQ(coarse.normals.size(), coarse.vertices.size());
+  for (const Eigen::Vector3d& normal : coarse.normals) EXPECT_NEAR(normal.norm(), 1.0, 1e-9);
+}
+
+TEST(Simplify, LosesNothingFarFromTheOrigin) {
+  TriangleMesh mesh = shapes::torus(0.10, 0.03, 100, 40);
+  const TriangleMesh near = simplify(mesh, 1000);
+  const Eigen::Vector3d far_away(4096.0, -8192.0, 2048.0);
+  shapes::move(mesh, far_away);
+  TriangleMesh far = simplify(mesh, 1000);
+  shapes::move(far, -far_away);
+  EXPECT_NEAR(static_cast<double>(far.triangles.size()), static_cast<double>(near.triangles.size()),
+              10.0);
+  EXPECT_NEAR(enclosed_volume(far) / enclosed_volume(near), 1.0, 1e-3);
+}
+
+TEST(Simplify, CarriesMarksWithTheirVertices) {
+  TriangleMesh mesh = shapes::torus(0.10, 0.03, 100, 40);
+  for (const Eigen::Vector3d& v : mesh.vertices) mesh.unproven.push_back(v.x() > 0.0 ? 1 : 0);
+  const TriangleMesh coarse = simplify(mesh, 500);
+  ASSERT_EQ(coarse.unproven.size(), coarse.vertices.size());
+  for (std::size_t v = 0; v < coarse.vertices.size(); ++v) {
+    EXPECT_EQ(coarse.unproven[v], coarse.vertices[v].x() > 0.0 ? 1 : 0);
+  }
+}
+
+TEST(Simplify, LeavesAMeshThatIsSmallEnoughAsItIs) {
+  const TriangleMesh cube = shapes::unit_cube();
+  const TriangleMesh same = simplify(cube, 12);
+  EXPECT_EQ(same.triangles, cube.triangles);
+  EXPECT_EQ(same.vertices, cube.vertices);
+  EXPECT_TRUE(simplify(TriangleMesh{}, 0).triangles.empty());
+}
+
+}  // namespace
+}  // namespace tegata
