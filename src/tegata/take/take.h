@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -12,32 +11,12 @@
 
 #include "tegata/base/observer.h"
 #include "tegata/camera/camera.h"
-#include "tegata/hand/skeleton.h"
 #include "tegata/image/image.h"
+#include "tegata/take/take_info.h"
 
 namespace tegata {
 
-/// Three landmarks of the first frame in world coordinates [m], rough (1-2 cm) is enough.
-struct InitialLandmarks {
-  Eigen::Vector3d wrist, index_mcp, little_mcp;
-};
-
-enum class SegmentationMethod { infrared, background, skin, mask };
-std::string_view segmentation_method_name(SegmentationMethod method);
-/// Throws Error listing the names that would do.
-SegmentationMethod segmentation_method_from_name(std::string_view name);
-
-/// What take.toml says; everything is optional there.
-struct TakeInfo {
-  std::string name;                    ///< the folder's name where the file does not say
-  std::optional<Side> side;
-  double fps = 30.0;
-  double metres_per_unit = 1.0;        ///< already applied to the rig and not to the landmarks
-  std::optional<InitialLandmarks> initial_landmarks;
-  std::optional<SegmentationMethod> segmentation;
-};
-
-/// Where the pictures of a take lie.
+/// Where the silhouettes of a take come from.
 enum class PictureSource { images, videos, masks };
 
 /// One moment: a picture per camera of the rig, in its order; empty where a camera has none.
@@ -63,23 +42,28 @@ class Take {
   /// Cameras in metres.
   const CameraRig& rig() const;
   PictureSource source() const;
+  /// Whether there are pictures: true but for takes of masks alone.
+  bool has_pictures() const;
   /// Names of the frames in order: file names without ending, or six-digit video indices.
   const std::vector<std::string>& frame_names() const;
   /// The picture of the empty scene, where the take has one for this camera.
   std::optional<CameraImage> background(std::size_t camera) const;
+  /// What a user should know of the folder although it stops nothing (a video that no camera of the
+  /// calibration has, say), one line each. The first read_frame() says it to the observer.
+  const std::vector<std::string>& notes() const;
 
   /// Decodes one frame. Masks come as 8-bit pictures of 0, 128 and 255. A picture that cannot be
   /// decoded, or whose size is not the calibration's, is left out and said to the observer. Videos
   /// are decoded forwards: asking in ascending order is fast, going back starts the file anew.
   TakeFrame read_frame(std::size_t index, const Observer& observer);
+  /// The same for people to look at: where the source is masks, the pictures that lie beside them,
+  /// and the mask itself for a camera that has none.
+  TakeFrame read_display_frame(std::size_t index, const Observer& observer);
 
  private:
   struct State;
   explicit Take(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
-
-/// Writes take.toml.
-void write_take_info(const TakeInfo& info, const std::filesystem::path& file);
 
 }  // namespace tegata
