@@ -34,15 +34,15 @@ Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last) {
 }
 
 // The fits of all frames one after the other, each started from the one before.
-std::vector<FrameFit> fit_in_order(const FitHand& hand, const std::vector<FitFrame>& frames,
+std::vector<FrameFit> fit_in_order(const FitHand& hand, std::span<const FitFrame* const> frames,
                                    const std::vector<HandPose>& starts,
                                    const GraspFitOptions& options, const Observer& observer) {
   std::vector<FrameFit> fits;
-  for (const FitFrame& frame : frames) {
+  for (const FitFrame* frame : frames) {
     observer.progress("frames", fits.size(), frames.size());
     if (fits.empty()) {
       fits.push_back(
-          fit_frame_from_best(hand, frame, starts, kKeptStarts, options.frame, options.threads));
+          fit_frame_from_best(hand, *frame, starts, kKeptStarts, options.frame, options.threads));
       continue;
     }
     const HandPose& last = fits.back().pose;
@@ -53,7 +53,7 @@ std::vector<FrameFit> fit_in_order(const FitHand& hand, const std::vector<FitFra
     }
     FitSchedule schedule = options.frame;
     for (FitStage& stage : schedule.stages) stage.prior.previous = last.angles;
-    fits.push_back(fit_frame_from_best(hand, frame, next, next.size(), schedule, options.threads));
+    fits.push_back(fit_frame_from_best(hand, *frame, next, next.size(), schedule, options.threads));
   }
   observer.progress("frames", frames.size(), frames.size());
   return fits;
@@ -76,18 +76,16 @@ JointAngles standard_deviations(const SolverReport& report) {
   return report.angle_covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
-void fit_all_frames(const FitHand& hand, const std::vector<FitFrame>& frames,
+void fit_all_frames(const FitHand& hand, std::span<const FitFrame* const> frames,
                     const std::vector<FrameFit>& fits, const GraspFitOptions& options,
                     GraspFit& grasp) {
   HandEstimate estimate;
   estimate.angles = median_angles(fits);
-  std::vector<const FitFrame*> pointers;
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    estimate.world_from_hand.push_back(fits[f].pose.world_from_hand);
-    pointers.push_back(&frames[f]);
+  for (const FrameFit& fit : fits) {
+    estimate.world_from_hand.push_back(fit.pose.world_from_hand);
   }
   for (const FitStage& stage : options.all_frames.stages) {
-    const SolverReport report = minimise(hand, pointers, stage, options.threads, estimate);
+    const SolverReport report = minimise(hand, frames, stage, options.threads, estimate);
     grasp.iterations += report.iterations;
     grasp.termination = report.termination;
     grasp.standard_deviations = standard_deviations(report);
@@ -117,12 +115,12 @@ void keep_frames_free(const std::vector<FrameFit>& fits, GraspFit& grasp) {
 
 }  // namespace
 
-GraspFit fit_grasp(const FitHand& hand, const std::vector<FitFrame>& frames,
+GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
                    const TriangleMesh& first_hull, const std::optional<StartLandmarks>& landmarks,
                    const GraspFitOptions& options, const Observer& observer) {
   if (frames.empty()) throw Error("grasp fit: got no frame, expected at least one");
-  for (const FitFrame& frame : frames) {
-    if (!frame.hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
+  for (const FitFrame* frame : frames) {
+    if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
   }
   GraspFit grasp;
   const Stopwatch frame_watch;

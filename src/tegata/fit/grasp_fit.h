@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tegata/base/observer.h"
@@ -37,7 +38,7 @@ struct GraspFit {
 /// orientations; each next one from the one before; then all frames at once with one set of angles,
 /// so that frames in which something hides a finger lose their influence on it. `frames` must not
 /// be empty and each needs a hull; throws Error otherwise.
-GraspFit fit_grasp(const FitHand& hand, const std::vector<FitFrame>& frames,
+GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
                    const TriangleMesh& first_hull, const std::optional<StartLandmarks>& landmarks,
                    const GraspFitOptions& options, const Observer& observer);
 

@@ -104,7 +104,7 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
       options.segmentation ? *options.segmentation : choose_segmentation(take, observer);
   std::vector<PreparedFrame> prepared = prepare_frames(take, indices, method, options, observer);
 
-  std::vector<FitFrame> frames;
+  std::vector<const FitFrame*> frames;
   std::vector<std::size_t> usable;
   for (std::size_t i = 0; i < prepared.size(); ++i) {
     if (prepared[i].refusal.empty()) usable.push_back(i);
@@ -114,7 +114,7 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
                 " frames can be fitted; the first, ", prepared.front().name, ": ",
                 prepared.front().refusal);
   }
-  for (const std::size_t i : usable) frames.push_back(prepared[i].frame);
+  for (const std::size_t i : usable) frames.push_back(&prepared[i].frame);
 
   const FitHand hand(hand_model);
   GraspFitOptions fit_options = options.fit;
