@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the subcommands share. Each of them is one file that declares its options, calls the library
+// and prints; tegata::Error goes through to main.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tegata/base/error.h"
+#include "tegata/hand/hand_model.h"
+#include "tegata/take/result.h"
+
+namespace tegata {
+
+void add_simulate_command(CLI::App& program);
+void add_fit_command(CLI::App& program);
+void add_evaluate_command(CLI::App& program);
+void add_info_command(CLI::App& program);
+void add_picture_command(CLI::App& program);
+
+/// What every subcommand understands.
+struct CommonOptions {
+  int threads = 0;     ///< 0: one per core
+  bool json = false;   ///< one JSON object on stdout instead of text
+  bool quiet = false;  ///< nothing but errors on stderr
+};
+void add_common_options(CLI::App& command, CommonOptions& options);
+
+/// "right" or "left"; throws Error otherwise.
+Side side_from_name(const std::string& name);
+
+/// The built-in hand of the mean adult, or, unless `file` is empty, the skinned hand in it.
+HandModel load_hand(const std::string& file, Side side);
+
+/// The mean silhouette overlap of each camera over the frames that are ok.
+std::map<std::string, double> mean_overlaps(const Result& result);
+
+/// How many frames have each status.
+std::map<std::string, int> count_statuses(const Result& result);
+
+/// "left 0.97, right 0.95".
+std::string overlap_text(const std::map<std::string, double>& overlaps);
+
+}  // namespace tegata
