@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/sim/grasps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "tegata/base/error.h"
+#include "tegata/base/random.h"
+#include "tegata/math/so3.h"
+
+namespace tegata {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr int kThumb = 0, kIndex = 1, kMiddle = 2, kRing = 3, kLittle = 4;
+
+constexpr std::array<std::pair<SimulatedGrasp, std::string_view>, 3> kGraspNames = {{
+    {SimulatedGrasp::cylinder, "cylinder"},
+    {SimulatedGrasp::sphere, "sphere"},
+    {SimulatedGrasp::pinch, "pinch"},
+}};
+
+// Where the digits would go with nothing in the way [deg].
+using Posture = std::array<std::array<double, 4>, kDigitCount>;
+constexpr Posture kAroundCylinder = {{{48.0, 20.0, 20.0, 25.0},
+                                      {0.0, 60.0, 65.0, 38.0},
+                                      {0.0, 62.0, 68.0, 40.0},
+                                      {2.0, 64.0, 68.0, 40.0},
+                                      {5.0, 66.0, 65.0, 40.0}}};
+constexpr Posture kAroundSphere = {{{50.0, 12.0, 15.0, 20.0},
+                                    {10.0, 42.0, 48.0, 28.0},
+                                    {0.0, 45.0, 50.0, 30.0},
+                                    {8.0, 46.0, 50.0, 30.0},
+                                    {15.0, 46.0, 48.0, 28.0}}};
+constexpr Posture kPinching = {{{48.0, 15.0, 15.0, 20.0},
+                                {0.0, 50.0, 42.0, 20.0},
+                                {0.0, 54.0, 44.0, 22.0},
+                                {2.0, 42.0, 45.0, 20.0},
+                                {6.0, 42.0, 45.0, 20.0}}};
+
+// The digits of a right hand, the angles found so far, and where the seed's variation comes from.
+class ClosingHand {
+ public:
+  ClosingHand(const HandModel& hand, const Posture& posture, Random& random) : hand_(hand) {
+    for (int digit = 0; digit < kDigitCount; ++digit) surfaces_.emplace_back(hand, digit);
+    for (int angle = 0; angle < kAngleCount; ++angle) {
+      const double varied =
+          posture[static_cast<std::size_t>(angle / 4)][static_cast<std::size_t>(angle % 4)] +
+          random.uniform(-4.0, 4.0) * (angle % 4 == 0 ? 0.5 : 1.0);
+      preferred_[angle] = varied * kDegree;
+    }
+    settle();
+  }
+
+  const HandModel& hand() const { return hand_; }
+  const JointAngles& angles() const { return angles_; }
+  JointAngles& preferred() { return preferred_; }
+  // Puts all digits where they would go with nothing in the way.
+  void settle() {
+    angles_ = preferred_.cwiseMax(angle_limits().lower).cwiseMin(angle_limits().upper);
+  }
+  const DigitSurface& surface(int digit) const {
+    return surfaces_[static_cast<std::size_t>(digit)];
+  }
+
+  // Closes one digit among others that are where they shall be.
+  void close(int digit, const std::vector<int>& others, DigitGoal goal, const PlacedObject& held) {
+    std::vector<const DigitSurface*> surfaces;
+    for (const int other : others) surfaces.push_back(&surface(other));
+    goal.preferred = preferred_.segment<4>(4 * digit);
+    angles_ = closed_digit(hand_, surface(digit), surfaces, goal, held, angles_);
+  }
+
+  // The middle finger first, the thumb last, each beside those that are closed already.
+  void close_all(const DigitGoal& finger, const DigitGoal& thumb, const PlacedObject& held) {
+    close(kMiddle, {}, finger, held);
+    close(kIndex, {kMiddle}, finger, held);
+    close(kRing, {kMiddle}, finger, held);
+    close(kLittle, {kRing}, finger, held);
+    close(kThumb, {kIndex, kMiddle, kRing}, thumb, held);
+  }
+
+ private:
+  const HandModel& hand_;
+  std::vector<DigitSurface> surfaces_;
+  JointAngles preferred_, angles_;
+};
+
+Eigen::Vector3d joint(const HandModel& hand, int digit, int bone_of_digit) {
+  return hand.skeleton.keypoints[static_cast<std::size_t>(1 + 4 * digit + bone_of_digit)];
+}
+
+// Moves an object up to the palm, along the hand's z, until it presses half a millimetre into the
+// skin of the palm or of the flat fingers' roots.
+void press_into_palm(const HandModel& hand, PlacedObject& held) {
+  constexpr double kPress = 0.5e-3, kFar = -0.2;  // [m]
+  JointAngles flat = JointAngles::Zero();
+  flat[0] = angle_limits().upper[0];  // the thumb out of the way
+  const PosedHand open(hand, HandPose{{}, flat});
+  double low = kFar, high = 0.0;
+  while (high - low > 1e-5) {
+    held.hand_from_object.translation.z() = 0.5 * (low + high);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < open.vertices().size(); ++i) {
+      const int bone = main_bone(hand.links[i]);
+      if (bone != 0 && (bone % 3 != 1 || bone == 1)) continue;
+      least = std::min(least, held.distance(open.vertices()[i]));
+    }
+    (least < -kPress ? high : low) = held.hand_from_object.translation.z();
+  }
+}
+
+Grasp cylinder_grasp(const HandModel& hand, Random& random) {
+  ClosingHand closing(hand, kAroundCylinder, random);
+  const double radius = random.uniform(0.020, 0.035);
+  PlacedObject held;
+  held.object = {HeldObject::Shape::cylinder, {radius, radius, random.uniform(0.055, 0.08)}};
+  // Across the palm under the knuckles, the little finger's end nearer to the wrist.
+  const Eigen::Vector3d row = joint(hand, kLittle, 0) - joint(hand, kIndex, 0);
+  const double tilt = random.uniform(2.0, 12.0) * kDegree;
+  const Eigen::Vector3d axis =
+      so3_exp({0.0, 0.0, -tilt}) * Eigen::Vector3d(row.x(), row.y(), 0.0).normalized();
+  held.hand_from_object.rotation =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis);
+  held.hand_from_object.translation = 0.5 * (joint(hand, kMiddle, 0) + joint(hand, kRing, 0)) -
+                                      random.uniform(0.004, 0.012) * Eigen::Vector3d::UnitY() +
+                                      random.uniform(-0.012, 0.012) * axis;
+  press_into_palm(hand, held);
+  DigitGoal thumb;
+  thumb.contact = {0.05, 0.4, 1.0};
+  closing.close_all(DigitGoal{}, thumb, held);
+  return {closing.angles(), held};
+}
+
+Grasp sphere_grasp(const HandModel& hand, Random& random) {
+  ClosingHand closing(hand, kAroundSphere, random);
+  const double radius = random.uniform(0.028, 0.040);
+  PlacedObject held;
+  held.object = {HeldObject::Shape::sphere, Eigen::Vector3d::Constant(radius)};
+  held.hand_from_object.translation =
+      0.6 * joint(hand, kMiddle, 0) + 0.2 * (joint(hand, kIndex, 0) + joint(hand, kRing, 0)) +
+      Eigen::Vector3d(random.uniform(-0.006, 0.002), random.uniform(-0.006, 0.006), 0.0);
+  press_into_palm(hand, held);
+  DigitGoal thumb;
+  thumb.contact = {0.05, 0.4, 1.0};
+  closing.close_all(DigitGoal{}, thumb, held);
+  return {closing.angles(), held};
+}
+
+// A fingertip's pad: where it is and which way it faces, in the hand's frame.
+struct Pad {
+  Eigen::Vector3d point, facing;
+};
+
+Pad pad_of(const HandModel& hand, const DigitSurface& surface, const JointAngles& angles) {
+  constexpr double kFromTip = 0.4;  // of the last bone
+  const auto keypoints = posed_keypoints(hand.skeleton, HandPose{{}, angles});
+  const auto tip = static_cast<std::size_t>(4 + 4 * surface.digit());
+  const Eigen::Vector3d along = keypoints[tip] - keypoints[tip - 1];
+  const Eigen::Vector3d axis =
+      joint_axes(hand.skeleton, angles)[static_cast<std::size_t>(4 * surface.digit() + 3)]
+          .direction;
+  const Eigen::Vector3d facing = axis.cross(along).normalized();  // where flexion takes the tip
+  return {keypoints[tip] - kFromTip * along + surface.radius(2) * facing, facing};
+}
+
+// Between the pads of index and middle finger and where the thumb's would meet them.
+PlacedObject object_before_pads(const HandModel& hand, const ClosingHand& closing,
+                                const HeldObject& object) {
+  const Pad index = pad_of(hand, closing.surface(kIndex), closing.angles());
+  const Pad middle = pad_of(hand, closing.surface(kMiddle), closing.angles());
+  const Eigen::Vector3d facing = (index.facing + middle.facing).normalized();
+  const Eigen::Vector3d apart = middle.point - index.point;
+  Eigen::Matrix3d axes;
+  axes.col(2) = facing;
+  axes.col(0) = (apart - apart.dot(facing) * facing).normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  PlacedObject held;
+  held.object = object;
+  held.hand_from_object = {Eigen::Quaterniond(axes),
+                           0.5 * (index.point + middle.point) + object.half_size.z() * facing};
+  return held;
+}
+
+Grasp pinch_grasp(const HandModel& hand, Random& random) {
+  ClosingHand closing(hand, kPinching, random);
+  HeldObject object;
+  const double half_thickness = 0.5 * random.uniform(0.010, 0.025);
+  if (random.index(2) == 0) {
+    const double radius = random.uniform(0.013, 0.018);
+    object = {HeldObject::Shape::cylinder, {radius, radius, half_thickness}};
+  } else {
+    object = {HeldObject::Shape::block,
+              {random.uniform(0.013, 0.018), random.uniform(0.009, 0.013), half_thickness}};
+  }
+  DigitGoal finger, thumb;
+  finger.contact = thumb.contact = {0.0, 0.0, 1.0};
+  // The more the fingers bend at the knuckles, the nearer the object comes to the thumb: takes the
+  // bend at which the thumb's pad reaches it best.
+  const JointAngles preferred = closing.preferred();
+  Grasp best;
+  double best_miss = std::numeric_limits<double>::infinity();
+  for (double bend = -18.0; bend <= 24.0; bend += 6.0) {
+    ClosingHand tried = closing;
+    tried.preferred() = preferred;
+    for (const int digit : {kIndex, kMiddle}) tried.preferred()[4 * digit + 1] += bend * kDegree;
+    tried.settle();
+    const PlacedObject held = object_before_pads(hand, tried, object);
+    const Eigen::Vector3d facing = held.hand_from_object.rotation * Eigen::Vector3d::UnitZ();
+    thumb.tip_target = held.hand_from_object.translation +
+                       (half_thickness + tried.surface(kThumb).radius(2)) * facing;
+    tried.close(kMiddle, {}, finger, held);
+    tried.close(kIndex, {kMiddle}, finger, held);
+    tried.close(kThumb, {kIndex, kMiddle}, thumb, held);
+    const Pad pad = pad_of(hand, tried.surface(kThumb), tried.angles());
+    const Eigen::Vector3d wanted = held.hand_from_object.translation + half_thickness * facing;
+    const double miss = (pad.point - wanted).norm() + 0.02 * (1.0 + pad.facing.dot(facing));
+    if (miss < best_miss) best_miss = miss, best = {tried.angles(), held};
+  }
+  return best;
+}
+
+// Objects are their own mirror images, so only where they lie changes.
+Grasp mirrored(const Grasp& grasp) {
+  Grasp other = grasp;
+  Rigid3d& placed = other.held.hand_from_object;
+  placed.translation.x() = -placed.translation.x();
+  placed.rotation.y() = -placed.rotation.y();
+  placed.rotation.z() = -placed.rotation.z();
+  return other;
+}
+
+Grasp right_hand_grasp(const HandModel& hand, SimulatedGrasp kind, std::uint64_t seed) {
+  Random random(seed);
+  switch (kind) {
+    case SimulatedGrasp::cylinder:
+      return cylinder_grasp(hand, random);
+    case SimulatedGrasp::sphere:
+      return sphere_grasp(hand, random);
+    case SimulatedGrasp::pinch:
+      break;
+  }
+  return pinch_grasp(hand, random);
+}
+
+}  // namespace
+
+std::string_view simulated_grasp_name(SimulatedGrasp grasp) {
+  for (const auto& [named, name] : kGraspNames) {
+    if (named == grasp) return name;
+  }
+  throw Error("simulated take: got grasp number ", static_cast<int>(grasp),
+              ", expected a known one");
+}
+
+SimulatedGrasp simulated_grasp_from_name(std::string_view name) {
+  for (const auto& [grasp, its_name] : kGraspNames) {
+    if (its_name == name) return grasp;
+  }
+  throw Error("simulated take: got grasp '", name, "', expected cylinder, sphere or pinch");
+}
+
+Grasp make_grasp(const HandModel& hand, SimulatedGrasp kind, std::uint64_t seed) {
+  if (hand.skeleton.side == Side::right) return right_hand_grasp(hand, kind, seed);
+  return mirrored(right_hand_grasp(mirrored(hand), kind, seed));
+}
+
+}  // namespace tegata

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/sim/grasps.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "tegata/base/error.h"
+#include "tegata/sim/sim_test_hand.h"
+
+namespace tegata {
+namespace {
+
+constexpr std::array<SimulatedGrasp, 3> kAllGrasps = {
+    SimulatedGrasp::cylinder, SimulatedGrasp::sphere, SimulatedGrasp::pinch};
+
+// The least distance of all vertices that a digit's bones move most; of all the hand's for -1.
+double least_distance(const HandModel& hand, const Grasp& grasp, int digit) {
+  const PosedHand posed(hand, HandPose{{}, grasp.angles});
+  double least = 1.0;
+  for (std::size_t i = 0; i < hand.links.size(); ++i) {
+    const int bone = main_bone(hand.links[i]);
+    if (digit >= 0 && (bone == 0 || (bone - 1) / 3 != digit)) continue;
+    least = std::min(least, grasp.held.distance(posed.vertices()[i]));
+  }
+  return least;
+}
+
+TEST(Grasps, NoPartOfTheHandIsInsideTheObject) {
+  for (const SimulatedGrasp kind : kAllGrasps) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      const Grasp grasp = make_grasp(sim_test_hand(), kind, seed);
+      EXPECT_GT(least_distance(sim_test_hand(), grasp, -1), -0.003)
+          << simulated_grasp_name(kind) << " " << seed;
+    }
+  }
+}
+
+TEST(Grasps, DigitsThatHoldTouchTheObject) {
+  for (const SimulatedGrasp kind : kAllGrasps) {
+    const int holding = kind == SimulatedGrasp::pinch ? 3 : 5;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      const Grasp grasp = make_grasp(sim_test_hand(), kind, seed);
+      for (int digit = 0; digit < holding; ++digit) {
+        EXPECT_LT(least_distance(sim_test_hand(), grasp, digit), 0.0015)
+            << simulated_grasp_name(kind) << " " << seed << " digit " << digit;
+      }
+    }
+  }
+}
+
+TEST(Grasps, ThumbStandsAgainstTheFingers) {
+  for (const SimulatedGrasp kind : kAllGrasps) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      const Grasp grasp = make_grasp(sim_test_hand(), kind, seed);
+      const auto keypoints = posed_keypoints(sim_test_hand().skeleton, HandPose{{}, grasp.angles});
+      Eigen::Vector3d thumb = grasp.held.object_from_hand() * keypoints[4];
+      Eigen::Vector3d fingers =
+          grasp.held.object_from_hand() * (0.5 * (keypoints[8] + keypoints[12]));
+      if (kind == SimulatedGrasp::cylinder) thumb.z() = fingers.z() = 0.0;
+      EXPECT_LT(thumb.normalized().dot(fingers.normalized()), 0.3)
+          << simulated_grasp_name(kind) << " " << seed;
+    }
+  }
+}
+
+TEST(Grasps, AnglesKeepToTheLimitsAndVaryWithTheSeed) {
+  for (const SimulatedGrasp kind : kAllGrasps) {
+    const Grasp a = make_grasp(sim_test_hand(), kind, 1), b = make_grasp(sim_test_hand(), kind, 2);
+    for (const Grasp& grasp : {a, b}) {
+      EXPECT_TRUE((grasp.angles.array() <= angle_limits().upper.array() + 1e-12).all());
+      EXPECT_TRUE((grasp.angles.array() >= angle_limits().lower.array() - 1e-12).all());
+    }
+    EXPECT_GT((a.angles - b.angles).norm(), 0.01);
+    EXPECT_NE(a.held.object.half_size, b.held.object.half_size);
+  }
+}
+
+TEST(Grasps, LeftHandIsTheMirrorImageWithTheSameAngles) {
+  for (const SimulatedGrasp kind : kAllGrasps) {
+    const Grasp right = make_grasp(sim_test_hand(Side::right), kind, 3);
+    const Grasp left = make_grasp(sim_test_hand(Side::left), kind, 3);
+    EXPECT_LT((right.angles - left.angles).norm(), 1e-9);
+    const Eigen::Vector3d point(0.01, 0.05, -0.03), its_image(-0.01, 0.05, -0.03);
+    EXPECT_NEAR(right.held.distance(point), left.held.distance(its_image), 1e-9);
+  }
+}
+
+TEST(Grasps, NamesGoBothWaysAndOthersAreErrors) {
+  for (const SimulatedGrasp kind : kAllGrasps) {
+    EXPECT_EQ(simulated_grasp_from_name(simulated_grasp_name(kind)), kind);
+  }
+  EXPECT_THROW(simulated_grasp_from_name("fist"), Error);
+}
+
+}  // namespace
+}  // namespace tegata
