@@ -48,11 +48,12 @@ std::vector<Overlay> draw_overlays(Take& take, const Result& result, const HandM
                   "', expected the take that the result was made of");
     }
     const TakeFrame pictures = take.read_frame(found->second, observer);
+    const TakeFrame shown = take.read_display_frame(found->second, observer);
     const auto silhouettes = segment_frame(take, pictures, method);
     const TriangleMesh surface = PosedHand(hand, *frame->pose).surface();
     for (std::size_t c = 0; c < take.rig().size(); ++c) {
-      if (!pictures.pictures[c]) continue;
-      CameraImage picture = for_display(*pictures.pictures[c]);
+      if (!pictures.pictures[c] || !shown.pictures[c]) continue;
+      CameraImage picture = for_display(*shown.pictures[c]);
       draw_outline(picture, *silhouettes[c], kSilhouetteColour, kOutlineWidthPx);
       draw_outline(picture, render_silhouette(surface, take.rig()[c]), kHandColour,
                    kOutlineWidthPx);

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/frame_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "tegata/base/error.h"
+#include "tegata/fit/test_scene.h"
+
+namespace tegata {
+namespace {
+
+TEST(FrameFit, TheBestOfSeveralStartsWins) {
+  const HandModel& hand = test::coarse_hand();
+  const HandPose truth = test::grasping_pose(0.3);
+  const FitFrame frame = test::perfect_frame(hand, truth, test::orthogonal_rig(0.8));
+  HandPose upside_down = truth;
+  upside_down.world_from_hand.rotation =
+      truth.world_from_hand.rotation * so3_exp({0.0, 0.0, std::numbers::pi});
+  const FitHand fit_hand(hand);
+  for (const auto& starts :
+       {std::vector<HandPose>{upside_down, truth}, std::vector<HandPose>{truth, upside_down}}) {
+    const FrameFit fit = fit_frame_from_best(fit_hand, frame, starts, 1, frame_schedule(), 2);
+    EXPECT_LT(test::mean_keypoint_distance(hand, fit.pose, truth), 0.002);
+  }
+}
+
+TEST(FrameFit, RefusesNoStartAndNoStage) {
+  const FitHand hand(test::coarse_hand());
+  EXPECT_THROW(fit_frame_from_best(hand, {}, {}, 1, frame_schedule(), 1), Error);
+  EXPECT_THROW(fit_frame_from_best(hand, {}, {HandPose{}}, 1, {}, 1), Error);
+}
+
+}  // namespace
+}  // namespace tegata

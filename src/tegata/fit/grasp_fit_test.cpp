@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/grasp_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "tegata/base/error.h"
+#include "tegata/fit/test_scene.h"
+
+namespace tegata {
+namespace {
+
+struct Scene {
+  std::vector<HandPose> truth;
+  std::vector<FitFrame> frames;
+  std::vector<const FitFrame*> pointers;
+};
+
+Scene turning_hand(int count) {
+  Scene scene;
+  for (int f = 0; f < count; ++f) {
+    scene.truth.push_back(test::grasping_pose(0.25 * f));
+    scene.frames.push_back(
+        test::perfect_frame(test::coarse_hand(), scene.truth.back(), test::orthogonal_rig(0.8)));
+  }
+  for (const FitFrame& frame : scene.frames) scene.pointers.push_back(&frame);
+  return scene;
+}
+
+StartLandmarks rough_landmarks(const HandPose& truth) {
+  const auto keypoints = posed_keypoints(test::coarse_hand().skeleton, truth);
+  return {keypoints[0] + Eigen::Vector3d(0.008, 0.0, -0.004),
+          keypoints[5] + Eigen::Vector3d(-0.005, 0.006, 0.0),
+          keypoints[17] + Eigen::Vector3d(0.0, -0.008, 0.005)};
+}
+
+TEST(GraspFit, FollowsATurningHandFromRoughLandmarks) {
+  const Scene scene = turning_hand(3);
+  const HandModel& hand = test::coarse_hand();
+  const GraspFit fit =
+      fit_grasp(FitHand(hand), scene.pointers, PosedHand(hand, scene.truth[0]).surface(),
+                rough_landmarks(scene.truth[0]), {}, {});
+  ASSERT_EQ(fit.poses.size(), 3U);
+  for (std::size_t f = 0; f < 3; ++f) {
+    EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[f], scene.truth[f]), 0.002) << f;
+    EXPECT_EQ(fit.poses[f].angles, fit.angles);
+  }
+  EXPECT_TRUE((fit.standard_deviations.array() > 0.0).all());
+}
+
+TEST(GraspFit, FreeFramesKeepAnglesOfTheirOwn) {
+  Scene scene = turning_hand(2);
+  const HandModel& hand = test::coarse_hand();
+  scene.truth[1].angles[5] += 0.3;
+  scene.frames[1] = test::perfect_frame(hand, scene.truth[1], test::orthogonal_rig(0.8));
+  GraspFitOptions options;
+  options.grasp = GraspConstraint::free;
+  const GraspFit fit =
+      fit_grasp(FitHand(hand), scene.pointers, PosedHand(hand, scene.truth[0]).surface(),
+                rough_landmarks(scene.truth[0]), options, {});
+  EXPECT_GT(fit.poses[1].angles[5] - fit.poses[0].angles[5], 0.1);
+}
+
+TEST(GraspFit, StartsWithoutLandmarks) {
+  const Scene scene = turning_hand(1);
+  const HandModel& hand = test::coarse_hand();
+  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers,
+                                 PosedHand(hand, scene.truth[0]).surface(), std::nullopt, {}, {});
+  EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[0], scene.truth[0]), 0.004);
+}
+
+TEST(GraspFit, RefusesNoFramesAndFramesWithoutAHull) {
+  const FitHand hand(test::coarse_hand());
+  EXPECT_THROW(fit_grasp(hand, {}, {}, std::nullopt, {}, {}), Error);
+  const FitFrame without_hull;
+  const FitFrame* const frames[] = {&without_hull};
+  EXPECT_THROW(fit_grasp(hand, frames, {}, std::nullopt, {}, {}), Error);
+}
+
+}  // namespace
+}  // namespace tegata
