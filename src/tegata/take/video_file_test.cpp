@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/take/video_file.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tegata/take/staged_folder.h"
+#include "tegata/take/test_folder.h"
+#include "tegata/take/test_video.h"
+
+namespace tegata {
+namespace {
+
+// Pictures of one gray each: 20, 40, 60 ...
+std::vector<CameraImage> steps_of_gray(std::size_t count) {
+  std::vector<CameraImage> pictures;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto gray = static_cast<std::uint16_t>(20 * (i + 1));
+    pictures.push_back({Image<std::uint16_t>(64, 48, gray, 3), 8});
+  }
+  return pictures;
+}
+
+TEST(VideoFile, GivesThePictureThatIsAskedForInAnyOrder) {
+  const TestFolder folder;
+  write_file(folder / "a.avi", motion_jpeg_avi(steps_of_gray(10)));
+  VideoFile video(folder / "a.avi");
+  ASSERT_EQ(video.frame_count(), 10u);
+  for (const std::size_t index : {0u, 0u, 1u, 4u, 9u, 9u, 3u, 2u, 8u}) {
+    const CameraImage& picture = video.read(index);
+    EXPECT_EQ(picture.values.width(), 64);
+    EXPECT_EQ(picture.values.channels(), 3);
+    EXPECT_NEAR(picture.values(30, 20), 20.0 * static_cast<double>(index + 1), 3.0) << index;
+  }
+}
+
+TEST(VideoFile, PicturesPastTheEndAreErrorsAndDoNotSpoilTheRest) {
+  const TestFolder folder;
+  write_file(folder / "a.avi", motion_jpeg_avi(steps_of_gray(4)));
+  VideoFile video(folder / "a.avi");
+  for (int again = 0; again < 2; ++again) {
+    EXPECT_TRUE(says(error_of([&] { video.read(7); }), "a.avi", "picture 7", "after 4"));
+    EXPECT_NEAR(video.read(3).values(5, 5), 80.0, 3.0);
+  }
+}
+
+TEST(VideoFile, FilesThatAreNoVideosAreSaid) {
+  const TestFolder folder;
+  write_file(folder / "text.avi", "this is text");
+  EXPECT_TRUE(says(error_of([&] { VideoFile(folder / "text.avi"); }), "text.avi", "video"));
+  EXPECT_TRUE(says(error_of([&] { VideoFile(folder / "no.avi"); }), "no.avi", "no such file"));
+}
+
+TEST(VideoFile, AnMp4WithoutItsIndexIsSaid) {
+  const TestFolder folder;
+  const std::string header(
+      "\0\0\0\x10"
+      "ftypisom\0\0\0\0",
+      16);
+  const std::string data(
+      "\0\0\x10\0"
+      "mdat",
+      8);
+  write_file(folder / "a.mp4", header + data + std::string(100, 'x'));
+  EXPECT_TRUE(says(error_of([&] { VideoFile(folder / "a.mp4"); }), "a.mp4", "cut short"));
+}
+
+TEST(VideoFile, ReadsARecordedMp4) {
+  const std::filesystem::path file = TEGATA_DATA_DIR "/hand_2cam/cam0.mp4";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "the recording hand_2cam is not here";
+  VideoFile video(file);
+  EXPECT_EQ(video.frame_count(), 200u);
+  EXPECT_EQ(video.read(3).values.width(), 720);
+  const CameraImage third = video.read(3);
+  video.read(5);
+  EXPECT_EQ(video.read(3).values, third.values);
+}
+
+}  // namespace
+}  // namespace tegata
