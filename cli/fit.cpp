@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "command.h"
 #include "progress.h"
@@ -41,7 +42,8 @@ FrameSelection parse_frames(const std::string& value) {
         "--frames", "got '" + value + "', expected FIRST:LAST, FIRST:LAST:STEP or FIRST::STEP");
   };
   std::vector<std::optional<std::size_t>> parts;
-  for (const std::string& part : CLI::detail::split(value + ':', ':')) {
+  std::istringstream stream(value + ":");  // so that an empty last part counts
+  for (std::string part; std::getline(stream, part, ':');) {
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
     if (!part.empty() && (error != std::errc() || end != part.data() + part.size())) throw fail();
@@ -71,10 +73,11 @@ Side choose_side(const Take& take, const std::string& asked) {
 }
 
 void write_report(Take& take, const Result& result, const HandModel& hand,
-                  const std::filesystem::path& file, const Observer& observer) {
+                  const std::filesystem::path& file) {
   std::vector<ReportPicture> pictures;
+  // Without an observer: what there is to warn of was said when the frames were fitted.
   for (const Overlay& overlay :
-       draw_overlays(take, result, hand, kReportFrames, kReportPictureWidth, observer)) {
+       draw_overlays(take, result, hand, kReportFrames, kReportPictureWidth, Observer{})) {
     pictures.push_back(
         {overlay.frame, overlay.camera, encode_jpeg(overlay.picture, kReportJpegQuality)});
   }
@@ -132,9 +135,9 @@ void run(Arguments& arguments) {
   {
     Progress progress(arguments.common.quiet);
     result = fit_take(take, hand, options, progress.observer());
-    write_result_files(result, hand, take.info().fps, folder.path());
+    write_result_files(result, hand, folder.path());
     if (!arguments.no_report) {
-      write_report(take, result, hand, folder.path() / "report.html", progress.observer());
+      write_report(take, result, hand, folder.path() / "report.html");
     }
   }
   folder.commit();

@@ -3,19 +3,16 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
 
-#include "tegata/camera/camera.h"
 #include "tegata/hand/hand_model.h"
 #include "tegata/take/result.h"
 
 namespace tegata {
 
 /// Writes result.json, angles.csv, hand.glb and meshes/<frame>.ply into an existing folder, as
-/// docs/formats.md describes them.
-void write_result_files(const Result& result, const HandModel& hand, double fps,
+/// docs/formats.md describes them. The animation's keyframes are the frames that have a pose, at
+/// their times since the first frame.
+void write_result_files(const Result& result, const HandModel& hand,
                         const std::filesystem::path& folder);
 
 }  // namespace tegata
