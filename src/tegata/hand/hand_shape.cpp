@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Joint positions and link lengths as fractions of the hand's length and breadth: Buchholz,
+// Armstrong, Goldstein, Anthropometric data for describing the kinematics of the human hand,
+// Ergonomics 35, 1992. They are distances between centres of rotation, which lie in the heads of
+// the bones; lengths of the bones themselves (such as Buryanov and Kotiuk, Proportions of hand
+// segments, Int J Morphol 28, 2010) are shorter from the knuckle on.
+#include "tegata/hand/hand_shape.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "tegata/base/error.h"
+
+namespace tegata {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+struct DigitProportions {
+  double across, along;  // first joint from the wrist: radial x breadth, distal x length
+  double links[3];       // x length; the last ends at the finger's tip
+  double palmwards;      // first joint below the middle knuckle [x breadth]: the transverse arch
+  double fan;            // direction at zero angles, from the middle finger towards ulnar [rad]
+  double roll;           // of the digit's back, from dorsal towards ulnar [rad]
+};
+
+// The first two columns and the links are Buchholz's. The arch, the fan and the roll are drawn: so
+// that straight fingers do not run into each other and bent ones point to the scaphoid.
+constexpr DigitProportions kDigits[kDigitCount] = {
+    {0.196, 0.073, {0.251, 0.196, 0.158}, 0.10, -48.0 * kDegree, -68.0 * kDegree},
+    {0.251, 0.447, {0.245, 0.143, 0.097}, 0.012, -4.0 * kDegree, -4.0 * kDegree},
+    {0.0, 0.446, {0.266, 0.170, 0.108}, 0.0, 0.0, 0.0},
+    {-0.206, 0.409, {0.244, 0.165, 0.107}, 0.018, 4.5 * kDegree, 5.0 * kDegree},
+    {-0.402, 0.368, {0.204, 0.117, 0.093}, 0.06, 10.0 * kDegree, 11.0 * kDegree},
+};
+// Wrist to the tip of the middle finger in the table above; the rest is the wrist's crease.
+constexpr double kTabulatedLength = 0.446 + 0.266 + 0.170 + 0.108;
+
+// The thumb's abduction turns about an axis nearer to the index metacarpal than the perpendicular
+// to the thumb, so that it pronates the thumb as it goes: without it the pad would not come to face
+// the fingers' pads, the model having no turn of its own for that (17 degrees in Cooney 1981).
+constexpr double kThumbAxisTilt = 25.0 * kDegree;
+
+Eigen::Vector3d turned(const Eigen::Vector3d& vector, const Eigen::Vector3d& axis, double angle) {
+  return Eigen::AngleAxisd(angle, axis) * vector;
+}
+
+void check_size(std::string_view name, double got, double least, double most) {
+  if (!(got >= least && got <= most)) {
+    throw Error("hand shape: ", name, " is ", got, ", expected ", least, " to ", most);
+  }
+}
+
+}  // namespace
+
+void check_shape(const HandShape& shape) {
+  const HandShape mean;
+  check_size("length", shape.length, 0.5 * mean.length, 1.5 * mean.length);
+  check_size("palm_breadth", shape.palm_breadth, 0.5 * mean.palm_breadth, 1.5 * mean.palm_breadth);
+  check_size("palm_thickness", shape.palm_thickness, 0.5 * mean.palm_thickness,
+             1.5 * mean.palm_thickness);
+  check_size("finger_thickness", shape.finger_thickness, 0.5, 1.5);
+  check_size("forearm_length", shape.forearm_length, 0.02, 0.3);
+}
+
+Skeleton right_skeleton(const HandShape& shape) {
+  check_shape(shape);
+  const double length = shape.length / kTabulatedLength, breadth = shape.palm_breadth;
+  const Eigen::Vector3d dorsal = Eigen::Vector3d::UnitZ();
+  Skeleton skeleton;
+  skeleton.side = Side::right;
+  skeleton.keypoints[0].setZero();
+  for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
+    const DigitProportions& part = kDigits[digit];
+    const Eigen::Vector3d along(std::sin(part.fan), std::cos(part.fan), 0.0);
+    const Eigen::Vector3d back = turned(dorsal, along, part.roll);
+    Eigen::Vector3d joint(-part.across * breadth, part.along * length, -part.palmwards * breadth);
+    for (std::size_t i = 0; i < 4; ++i) {
+      skeleton.keypoints[1 + 4 * digit + i] = joint;
+      if (i < 3) joint += part.links[i] * length * along;
+    }
+    const Eigen::Vector3d flexion = back.cross(along);  // turns `along` to the digit's palmar side
+    for (std::size_t i = 1; i < 4; ++i) skeleton.axes[4 * digit + i] = flexion;
+    // About the digit's own back: towards radial is a right-handed turn.
+    skeleton.axes[4 * digit] = digit <= 2 ? back : Eigen::Vector3d(-back);
+    if (digit == 0) {
+      skeleton.axes[0] = turned(dorsal.cross(along), dorsal, kThumbAxisTilt);
+      skeleton.axes[1] = -dorsal;
+    }
+  }
+  return skeleton;
+}
+
+const JointAngles& meshing_angles() {
+  static const JointAngles angles = [] {
+    JointAngles degrees;
+    degrees << 25.0, 0.0, 12.0, 12.0,  // thumb
+        7.0, 14.0, 20.0, 10.0,         // index
+        0.0, 14.0, 20.0, 10.0,         // middle
+        6.0, 14.0, 20.0, 10.0,         // ring
+        9.0, 14.0, 20.0, 10.0;         // little
+    return JointAngles(degrees * kDegree);
+  }();
+  return angles;
+}
+
+}  // namespace tegata

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/hand/hand_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "tegata/base/error.h"
+#include "tegata/hand/hand_model.h"
+
+namespace tegata {
+namespace {
+
+/// Brings two tips together by steps along single angles, within the limits.
+double closest_tips(const Skeleton& skeleton, std::size_t digit) {
+  HandPose pose;
+  const auto distance = [&] {
+    const auto points = posed_keypoints(skeleton, pose);
+    return (points[4] - points[4 + 4 * digit]).norm();
+  };
+  for (double step = 0.3; step > 1e-3; step *= 0.8) {
+    for (int angle = 0; angle < kAngleCount; ++angle) {
+      for (const double change : {step, -step}) {
+        const double before = distance(), kept = pose.angles[angle];
+        pose.angles[angle] =
+            std::clamp(kept + change, angle_limits().lower[angle], angle_limits().upper[angle]);
+        if (distance() >= before) pose.angles[angle] = kept;
+      }
+    }
+  }
+  return distance();
+}
+
+TEST(HandShape, LengthIsFromTheWristToTheMiddleTip) {
+  for (const double length : {0.165, 0.189, 0.21}) {
+    HandShape shape;
+    shape.length = length;
+    const Skeleton skeleton = right_skeleton(shape);
+    EXPECT_LT((skeleton.keypoints[12] - Eigen::Vector3d(0.0, length, 0.0)).norm(), 1e-12);
+  }
+}
+
+TEST(HandShape, FrameIsThatOfTheHeader) {
+  const Skeleton skeleton = right_skeleton(HandShape());
+  EXPECT_EQ(skeleton.keypoints[0], Eigen::Vector3d::Zero());
+  EXPECT_NEAR(skeleton.keypoints[9].x(), 0.0, 1e-12);
+  EXPECT_NEAR(skeleton.keypoints[9].z(), 0.0, 1e-12);
+  for (std::size_t mcp = 5; mcp < 17; mcp += 4) {
+    EXPECT_LT(skeleton.keypoints[mcp].x(), skeleton.keypoints[mcp + 4].x());
+  }
+  EXPECT_LT(skeleton.keypoints[4].x(), -0.05) << "the thumb is on the radial side";
+}
+
+TEST(HandShape, ZeroIsTheFlatHand) {
+  const Skeleton skeleton = right_skeleton(HandShape());
+  for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
+    const Eigen::Vector3d first = skeleton.keypoints[1 + 4 * digit];
+    const Eigen::Vector3d along = (skeleton.keypoints[4 + 4 * digit] - first).normalized();
+    EXPECT_NEAR(along.z(), 0.0, 1e-12);
+    for (std::size_t i = 2; i < 4; ++i) {
+      const Eigen::Vector3d offset = skeleton.keypoints[i + 4 * digit] - first;
+      EXPECT_LT(offset.cross(along).norm(), 1e-12) << "not straight";
+    }
+  }
+}
+
+TEST(HandShape, FlexionGoesToThePalmAndAbductionFromTheMiddleFinger) {
+  const Skeleton skeleton = right_skeleton(HandShape());
+  for (int digit = 0; digit < kDigitCount; ++digit) {
+    const auto tip = static_cast<std::size_t>(4 * digit + 4);
+    HandPose pose;
+    pose.angles[4 * digit] = 0.3;
+    const Eigen::Vector3d abducted = posed_keypoints(skeleton, pose)[tip] - skeleton.keypoints[tip];
+    pose.angles[4 * digit] = 0.0;
+    pose.angles[4 * digit + 1] = 0.3;
+    const Eigen::Vector3d flexed = posed_keypoints(skeleton, pose)[tip] - skeleton.keypoints[tip];
+    if (digit == 0) {
+      EXPECT_LT(abducted.z(), -0.02) << "away from the palm";
+      EXPECT_GT(flexed.x(), 0.01) << "across the palm";
+    } else {
+      EXPECT_GT(abducted.x() * (digit <= 2 ? -1.0 : 1.0), 0.015);
+      EXPECT_LT(flexed.z(), -0.015);
+    }
+  }
+}
+
+// What makes a hand one: the pad of the thumb meets that of each finger (Kapandji 1986).
+TEST(HandShape, ThumbReachesEveryFingertip) {
+  const Skeleton skeleton = right_skeleton(HandShape());
+  for (std::size_t digit = 1; digit < kDigitCount; ++digit) {
+    EXPECT_LT(closest_tips(skeleton, digit), 0.003) << digit;
+  }
+}
+
+TEST(HandShape, OpposedThumbTurnsItsPadToTheFingers) {
+  const Skeleton skeleton = right_skeleton(HandShape());
+  const auto pad = [&](const JointAngles& angles, std::size_t digit) {
+    const Rigid3d bone = bone_transforms(skeleton, angles)[3 + 3 * digit];
+    const Eigen::Vector3d along =
+        skeleton.keypoints[4 + 4 * digit] - skeleton.keypoints[3 + 4 * digit];
+    return Eigen::Vector3d(bone.rotation * skeleton.axes[3 + 4 * digit].cross(along).normalized());
+  };
+  JointAngles pinch = JointAngles::Zero();
+  pinch.head<8>() << 0.9, 0.35, 0.2, 0.3, 0.0, 0.8, 0.8, 0.4;
+  EXPECT_LT(pad(pinch, 0).dot(pad(pinch, 1)), -0.3);
+  EXPECT_GT(pad(JointAngles::Zero(), 0).dot(pad(JointAngles::Zero(), 1)), 0.0)
+      << "in the flat hand both pads are on the palm's side";
+}
+
+TEST(CheckShape, NamesTheSizeThatIsNotAHands) {
+  HandShape shape;
+  shape.palm_breadth = 84.0;
+  try {
+    check_shape(shape);
+    FAIL() << "millimetres were taken for metres";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("palm_breadth"), std::string::npos);
+  }
+  shape = HandShape();
+  shape.length = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(check_shape(shape), Error);
+}
+
+}  // namespace
+}  // namespace tegata

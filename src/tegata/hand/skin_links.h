@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "tegata/hand/hand_model.h"
+
+namespace tegata {
+
+/// A bone as line segments; the palm has several.
+using BoneSegments = std::array<std::vector<std::array<Eigen::Vector3d, 2>>, kBoneCount>;
+
+/// The bones of a skeleton at given angles: the palm as rays from the wrist to the first joint of
+/// each digit and the forearm's two bones, half a breadth of the wrist to either side.
+BoneSegments bone_segments(const Skeleton& skeleton, const JointAngles& angles,
+                           double forearm_length, double wrist_half_breadth);
+
+/// Links a point of the surface to the nearest bone and to the second nearest among those joined to
+/// it (the paper, III-B-2: no finger pulls at another). The second weighs a half where both are
+/// equally far and nothing from about one radius on either side of the joint between them, so that
+/// what lies along a bone is rigid.
+SkinLinks link_to_bones(const BoneSegments& segments, const Eigen::Vector3d& point);
+
+}  // namespace tegata
