@@ -19,8 +19,8 @@ namespace tegata {
 /// was found.
 struct ResultFrame {
   std::string name;
-  double time = 0.0;                      ///< [s]
-  std::string status = "ok";              ///< "ok", or why there is no (reliable) pose
+  double time = 0.0;          ///< [s]
+  std::string status = "ok";  ///< "ok", or why there is no (reliable) pose
   std::optional<HandPose> pose;
   std::array<Eigen::Vector3d, kKeypointCount> keypoints;  ///< world [m]
   std::array<double, kBoneCount> support = {};            ///< 0 .. 1 a bone
@@ -34,12 +34,12 @@ struct Result {
   Side side = Side::right;
   std::string model_name;
   std::map<std::string, double> model_shape;
-  JointAngles grasp_angles = JointAngles::Zero();          ///< [rad]
+  JointAngles grasp_angles = JointAngles::Zero();               ///< [rad]
   JointAngles grasp_standard_deviations = JointAngles::Zero();  ///< [rad]
   std::vector<ResultFrame> frames;
   int iterations = 0;
   std::string termination;
-  std::map<std::string, double> seconds;                   ///< by stage
+  std::map<std::string, double> seconds;  ///< by stage
 };
 
 /// Writes result.json. The same Result gives the same bytes.

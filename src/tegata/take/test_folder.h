@@ -16,9 +16,11 @@ namespace tegata {
 class TestFolder {
  public:
   TestFolder() {
+    static int count = 0;  // a test may have several
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() /
-            text("tegata-", test->test_suite_name(), "-", test->name(), "-", ::getpid());
+    path_ =
+        std::filesystem::temp_directory_path() /
+        text("tegata-", test->test_suite_name(), "-", test->name(), "-", ::getpid(), "-", count++);
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
