@@ -18,11 +18,12 @@ using LatticeIndex = std::array<std::int32_t, 3>;
 struct OctreeLeaf {
   LatticeIndex index;          ///< its lowest corner
   std::array<float, 8> field;  ///< at its corners, x fastest, then y, then z; positive inside
-  bool unproven = false;       ///< kept by unknown pixels only
+  bool unproven = false;       ///< some of its inside corners are inside by unknown pixels only
 };
 
-/// A field known only where it changes sign: the leaves of an octree. Two leaves that share a corner
-/// have the same value there, and every cell that the surface crosses is a leaf.
+/// A field known only where it changes sign: the leaves of an octree. A corner is inside where the
+/// field is above zero; zero itself is outside. Two leaves that share a corner have the same value
+/// there, and every cell that the surface crosses is a leaf.
 struct SparseField {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double cell_size = 0.0;  ///< [m]
@@ -48,8 +49,10 @@ struct FieldSource {
   std::function<float(const Eigen::Vector3d& point, bool& unproven)> sample;
 };
 
-/// Divides the cube around `region` down to cells of `cell_size` (at most 2^20 cells a side).
-/// Corners on the cube's own faces count as outside, so that the surface is always closed.
+/// Divides a cube around `region`, at least one cell wider on every side, down to cells of
+/// `cell_size` (at most 2^20 cells a side). Corners on the cube's own faces count as outside, so
+/// that the surface is always closed. Leaves come in the same order every time: eight by eight, x
+/// fastest. Throws Error where the region is empty or not finite or the cells are too small for it.
 SparseField build_octree(const Eigen::AlignedBox3d& region, double cell_size,
                          const FieldSource& source);
 

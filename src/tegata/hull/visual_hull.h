@@ -19,31 +19,32 @@ struct HullView {
 };
 
 struct HullOptions {
-  double voxel_size = 0.002;        ///< of the finest cells [m]
-  int dissenting_views = 0;         ///< a point survives so many views that see background there
-  int least_views = 2;              ///< a point that fewer views see is outside
-  std::size_t triangle_count = 4000;///< after simplification; 0: as it comes
-  double smallest_component = 0.05; ///< pieces with a smaller share of the largest are dropped
+  double voxel_size = 0.002;          ///< of the finest cells [m]
+  int dissenting_views = 0;           ///< a point survives so many views that see background there
+  int least_views = 2;                ///< a point that fewer views see is outside
+  std::size_t triangle_count = 4000;  ///< after simplification; 0: as it comes
+  double smallest_component = 0.05;   ///< pieces with a smaller share of the largest are dropped
 };
 
 struct HullReport {
-  Eigen::AlignedBox3d region;            ///< that the silhouettes allow [m]
+  Eigen::AlignedBox3d region;  ///< that the silhouettes allow [m]
   std::vector<SparseField::Level> levels;
   std::size_t raw_triangle_count = 0;
   std::size_t triangle_count = 0;
-  double volume = 0.0;                   ///< [m^3]
+  double volume = 0.0;  ///< [m^3]
   double carve_seconds = 0.0, isosurface_seconds = 0.0, simplify_seconds = 0.0;
 };
 
-/// The box, of those that may hold the object, found by volume intersection on a coarse lattice that
-/// is refined where anything survives. Throws Error, naming the view without which something would
-/// survive, where the silhouettes have no point in common.
+/// The box, of those that may hold the object, found by volume intersection on a coarse lattice
+/// that is refined where anything survives. Throws Error, naming the view without which something
+/// would survive, where the silhouettes have no point in common.
 Eigen::AlignedBox3d find_region(const std::vector<HullView>& views, const HullOptions& options);
 
 /// Volume intersection on an octree (Potmesil 1987; the paper, III-A): nodes are kept, split or
-/// dropped by conservative tests of their projected boxes against summed-area tables; the corners of
-/// the finest cells carry how far inside the nearest silhouette edge they lie, in metres at their
-/// depth. Unknown pixels carve nothing; a view that does not see a point says nothing about it.
+/// dropped by conservative tests of their projected boxes against summed-area tables; the corners
+/// of the finest cells carry how far inside the nearest silhouette edge they lie, in metres at
+/// their depth. Unknown pixels carve nothing; a view that does not see a point says nothing about
+/// it.
 SparseField carve(const std::vector<HullView>& views, const Eigen::AlignedBox3d& region,
                   const HullOptions& options);
 
