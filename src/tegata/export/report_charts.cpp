@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr int kAnglesPerDigit = 4;
-constexpr double kWidth = 640.0, kHeight = 220.0;
+constexpr double kWidth = 480.0, kHeight = 210.0;
 constexpr double kLeft = 44.0, kRight = 12.0, kTop = 10.0, kBottom = 26.0;
 constexpr double kGridDeg = 30.0;
 constexpr std::size_t kMostMarkedFrames = 60;    // beyond, points would run together

@@ -44,7 +44,7 @@ TEST(ReportCharts, SteepAnglesStayInsideTheChart) {
        at = chart.find("cy=\"", at + 1)) {
     const double y = std::stod(chart.substr(at + 4));
     EXPECT_GE(y, 0.0);
-    EXPECT_LE(y, 220.0);
+    EXPECT_LE(y, 210.0);
   }
 }
 

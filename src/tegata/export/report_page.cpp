@@ -43,7 +43,7 @@ table { border-collapse: collapse; font-size: .88rem; font-variant-numeric: tabu
 th, td { padding: .3rem .6rem; text-align: right; border-bottom: 1px solid var(--rule);
   white-space: nowrap; }
 th { font-weight: 600; }
-th[scope=row], th:first-child, td.text { text-align: left; }
+th[scope=row], th:first-child, .text { text-align: left; }
 tr.doubt td { color: var(--bad); }
 table.heat { border-collapse: separate; border-spacing: 2px; }
 table.heat td { border: 0; border-radius: 3px; text-align: center; padding: .2rem .3rem;
@@ -66,10 +66,10 @@ path { fill: none; stroke-width: 2; stroke-linejoin: round; }
 .point2 { fill: var(--c2); } .point3 { fill: var(--c3); }
 .legend span { white-space: nowrap; margin-right: .9rem; }
 .legend span::before { content: ""; display: inline-block; width: .8rem; height: .8rem;
-  border-radius: 50%; margin-right: .35rem; vertical-align: -.1rem; background: currentColor; }
-.key0 { color: var(--c0); } .key1 { color: var(--c1); }
-.key2 { color: var(--c2); } .key3 { color: var(--c3); }
-.seen { color: #46c8ff; } .fitted { color: #ff8c00; }
+  border-radius: 50%; margin-right: .35rem; vertical-align: -.1rem; background: var(--dot); }
+.key0 { --dot: var(--c0); } .key1 { --dot: var(--c1); }
+.key2 { --dot: var(--c2); } .key3 { --dot: var(--c3); }
+.seen { --dot: #46c8ff; } .fitted { --dot: #ff8c00; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 18rem), 1fr));
   gap: .8rem; }
 figure { margin: 0; }
@@ -151,7 +151,7 @@ std::string frame_table(const Result& result) {
   for (const std::string& camera : cameras) {
     html += fmt::format("<th scope=\"col\">{}</th>", escape_html(camera));
   }
-  html += "<th scope=\"col\">status</th></tr>\n";
+  html += "<th class=\"text\" scope=\"col\">status</th></tr>\n";
   for (const ResultFrame& frame : result.frames) {
     html += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{:.3f} s</td>",
                         frame.status == "ok" ? "" : " class=\"doubt\"", escape_html(frame.name),
