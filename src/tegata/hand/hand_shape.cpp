@@ -31,7 +31,7 @@ struct DigitProportions {
 // The first two columns and the links are Buchholz's. The arch, the fan and the roll are drawn: so
 // that straight fingers do not run into each other and bent ones point to the scaphoid.
 constexpr DigitProportions kDigits[kDigitCount] = {
-    {0.196, 0.073, {0.251, 0.196, 0.158}, 0.10, -48.0 * kDegree, -68.0 * kDegree},
+    {0.196, 0.073, {0.251, 0.196, 0.158}, 0.10, -48.0 * kDegree, -74.0 * kDegree},
     {0.251, 0.447, {0.245, 0.143, 0.097}, 0.012, -4.0 * kDegree, -4.0 * kDegree},
     {0.0, 0.446, {0.266, 0.170, 0.108}, 0.0, 0.0, 0.0},
     {-0.206, 0.409, {0.244, 0.165, 0.107}, 0.018, 4.5 * kDegree, 5.0 * kDegree},
@@ -43,7 +43,7 @@ constexpr double kTabulatedLength = 0.446 + 0.266 + 0.170 + 0.108;
 // The thumb's abduction turns about an axis nearer to the index metacarpal than the perpendicular
 // to the thumb, so that it pronates the thumb as it goes: without it the pad would not come to face
 // the fingers' pads, the model having no turn of its own for that (17 degrees in Cooney 1981).
-constexpr double kThumbAxisTilt = 25.0 * kDegree;
+constexpr double kThumbAxisTilt = 15.0 * kDegree;
 
 Eigen::Vector3d turned(const Eigen::Vector3d& vector, const Eigen::Vector3d& axis, double angle) {
   return Eigen::AngleAxisd(angle, axis) * vector;
@@ -101,8 +101,8 @@ const JointAngles& meshing_angles() {
     degrees << 25.0, 0.0, 12.0, 12.0,  // thumb
         7.0, 14.0, 20.0, 10.0,         // index
         0.0, 14.0, 20.0, 10.0,         // middle
-        6.0, 14.0, 20.0, 10.0,         // ring
-        9.0, 14.0, 20.0, 10.0;         // little
+        7.0, 14.0, 20.0, 10.0,         // ring
+        11.0, 14.0, 20.0, 10.0;        // little
     return JointAngles(degrees * kDegree);
   }();
   return angles;
