@@ -65,7 +65,7 @@ class ClosingCost {
   }
 
   double place_cost(const JointAngles& angles) const {
-    constexpr double kOverlapWeight = 10.0, kTargetWeight = 0.3;
+    constexpr double kOverlapWeight = 3.0, kTargetWeight = 0.3, kSqueeze = 1.5e-3;
     const auto keypoints = posed_keypoints(hand_.skeleton, HandPose{{}, angles});
     double cost = 0.0;
     if (goal_.tip_target) {
@@ -79,7 +79,7 @@ class ClosingCost {
           const std::size_t j = near_keypoint(other->digit(), its);
           const double room =
               axis_distance({keypoints[i], keypoints[i + 1]}, {keypoints[j], keypoints[j + 1]}) -
-              digit_.radius(mine) - other->radius(its);
+              digit_.radius(mine) - other->radius(its) + kSqueeze;
           cost += kOverlapWeight * square(std::min(0.0, room) / kMillimetre);
         }
       }
@@ -114,24 +114,28 @@ struct Found {
   double cost = 0.0;
 };
 
-// Goes to the best neighbour while there is a better one, then halves the step.
-Found compass_search(const ClosingCost& cost, int digit, JointAngles angles) {
+// Takes each direction in turn as far as it improves, and halves the step when none does.
+Found compass_search(const ClosingCost& cost, int digit, const JointAngles& angles) {
   static const std::vector<Eigen::Vector4d> kDirections = search_directions();
   const Eigen::Vector4d lower = angle_limits().lower.segment<4>(4 * digit);
   const Eigen::Vector4d upper = angle_limits().upper.segment<4>(4 * digit);
   Found best{angles, cost.at(angles)};
+  const auto improves = [&](const Eigen::Vector4d& step) {
+    JointAngles tried = best.angles;
+    tried.segment<4>(4 * digit) =
+        (tried.segment<4>(4 * digit) + step).cwiseMax(lower).cwiseMin(upper);
+    const double tried_cost = cost.at(tried);
+    if (tried_cost >= best.cost - 1e-6) return false;
+    best = {tried, tried_cost};
+    return true;
+  };
   for (double step = 8.0 * kDegree; step > 0.2 * kDegree; step *= 0.5) {
-    for (int moves = 0; moves < 40; ++moves) {
-      Found next = best;
+    bool moved = true;
+    while (moved) {
+      moved = false;
       for (const Eigen::Vector4d& direction : kDirections) {
-        JointAngles tried = best.angles;
-        tried.segment<4>(4 * digit) =
-            (tried.segment<4>(4 * digit) + step * direction).cwiseMax(lower).cwiseMin(upper);
-        const double tried_cost = cost.at(tried);
-        if (tried_cost < next.cost) next = {tried, tried_cost};
+        while (improves(step * direction)) moved = true;
       }
-      if (next.cost >= best.cost) break;
-      best = next;
     }
   }
   return best;
@@ -140,7 +144,8 @@ Found compass_search(const ClosingCost& cost, int digit, JointAngles angles) {
 }  // namespace
 
 DigitSurface::DigitSurface(const HandModel& hand, int digit) : hand_(&hand), digit_(digit) {
-  constexpr double kPalmEnd = 0.35;  // of the first bone, where its skin is the palm's
+  // Of the first bone, where its skin is the palm's.
+  const double palm_end = digit == 0 ? 0.35 : 0.1;
   const auto zero_from_rest = bone_transforms(hand.skeleton, hand.rest_angles);
   std::array<int, 3> counts = {};
   for (std::size_t i = 0; i < hand.links.size(); ++i) {
@@ -162,7 +167,7 @@ DigitSurface::DigitSurface(const HandModel& hand, int digit) : hand_(&hand), dig
       radii_[static_cast<std::size_t>(vertex.bone_of_digit)] += (out - share * along).norm();
       ++counts[static_cast<std::size_t>(vertex.bone_of_digit)];
     }
-    if (vertex.bone_of_digit > 0 || share > kPalmEnd) vertices_.push_back(vertex);
+    if (vertex.bone_of_digit > 0 || share > palm_end) vertices_.push_back(vertex);
   }
   for (std::size_t bone = 0; bone < 3; ++bone) radii_[bone] /= std::max(counts[bone], 1);
 }

@@ -38,16 +38,16 @@ constexpr Posture kAroundSphere = {{{50.0, 12.0, 15.0, 20.0},
                                     {0.0, 45.0, 50.0, 30.0},
                                     {8.0, 46.0, 50.0, 30.0},
                                     {15.0, 46.0, 48.0, 28.0}}};
-constexpr Posture kPinching = {{{48.0, 15.0, 15.0, 20.0},
-                                {0.0, 50.0, 42.0, 20.0},
-                                {0.0, 54.0, 44.0, 22.0},
+constexpr Posture kPinching = {{{54.0, 8.0, 12.0, 18.0},
+                                {0.0, 56.0, 34.0, 16.0},
+                                {0.0, 60.0, 36.0, 18.0},
                                 {2.0, 42.0, 45.0, 20.0},
                                 {6.0, 42.0, 45.0, 20.0}}};
 
 // The digits of a right hand, the angles found so far, and where the seed's variation comes from.
 class ClosingHand {
  public:
-  ClosingHand(const HandModel& hand, const Posture& posture, Random& random) : hand_(hand) {
+  ClosingHand(const HandModel& hand, const Posture& posture, Random& random) : hand_(&hand) {
     for (int digit = 0; digit < kDigitCount; ++digit) surfaces_.emplace_back(hand, digit);
     for (int angle = 0; angle < kAngleCount; ++angle) {
       const double varied =
@@ -58,7 +58,7 @@ class ClosingHand {
     settle();
   }
 
-  const HandModel& hand() const { return hand_; }
+  const HandModel& hand() const { return *hand_; }
   const JointAngles& angles() const { return angles_; }
   JointAngles& preferred() { return preferred_; }
   // Puts all digits where they would go with nothing in the way.
@@ -74,7 +74,7 @@ class ClosingHand {
     std::vector<const DigitSurface*> surfaces;
     for (const int other : others) surfaces.push_back(&surface(other));
     goal.preferred = preferred_.segment<4>(4 * digit);
-    angles_ = closed_digit(hand_, surface(digit), surfaces, goal, held, angles_);
+    angles_ = closed_digit(*hand_, surface(digit), surfaces, goal, held, angles_);
   }
 
   // The middle finger first, the thumb last, each beside those that are closed already.
@@ -87,7 +87,7 @@ class ClosingHand {
   }
 
  private:
-  const HandModel& hand_;
+  const HandModel* hand_;
   std::vector<DigitSurface> surfaces_;
   JointAngles preferred_, angles_;
 };
@@ -200,16 +200,20 @@ Grasp pinch_grasp(const HandModel& hand, Random& random) {
               {random.uniform(0.013, 0.018), random.uniform(0.009, 0.013), half_thickness}};
   }
   DigitGoal finger, thumb;
-  finger.contact = thumb.contact = {0.0, 0.0, 1.0};
+  finger.contact = thumb.contact = {0.0, 0.0, 4.0};
   // The more the fingers bend at the knuckles, the nearer the object comes to the thumb: takes the
   // bend at which the thumb's pad reaches it best.
   const JointAngles preferred = closing.preferred();
-  Grasp best;
+  ClosingHand best_closing = closing;
+  PlacedObject best_held;
   double best_miss = std::numeric_limits<double>::infinity();
   for (double bend = -18.0; bend <= 24.0; bend += 6.0) {
     ClosingHand tried = closing;
     tried.preferred() = preferred;
-    for (const int digit : {kIndex, kMiddle}) tried.preferred()[4 * digit + 1] += bend * kDegree;
+    for (const int digit : {kIndex, kMiddle}) {
+      tried.preferred()[4 * digit + 1] += bend * kDegree;
+      tried.preferred()[4 * digit + 2] -= 0.7 * bend * kDegree;
+    }
     tried.settle();
     const PlacedObject held = object_before_pads(hand, tried, object);
     const Eigen::Vector3d facing = held.hand_from_object.rotation * Eigen::Vector3d::UnitZ();
@@ -221,9 +225,18 @@ Grasp pinch_grasp(const HandModel& hand, Random& random) {
     const Pad pad = pad_of(hand, tried.surface(kThumb), tried.angles());
     const Eigen::Vector3d wanted = held.hand_from_object.translation + half_thickness * facing;
     const double miss = (pad.point - wanted).norm() + 0.02 * (1.0 + pad.facing.dot(facing));
-    if (miss < best_miss) best_miss = miss, best = {tried.angles(), held};
+    if (miss < best_miss) {
+      best_miss = miss;
+      best_closing = tried;
+      best_held = held;
+    }
   }
-  return best;
+  // The others only keep out of the way.
+  DigitGoal idle;
+  idle.contact.setZero();
+  best_closing.close(kRing, {kMiddle, kThumb}, idle, best_held);
+  best_closing.close(kLittle, {kRing}, idle, best_held);
+  return {best_closing.angles(), best_held};
 }
 
 // Objects are their own mirror images, so only where they lie changes.

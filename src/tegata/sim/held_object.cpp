@@ -59,7 +59,7 @@ TriangleMesh object_surface(const HeldObject& object, double longest_edge) {
   // Squares of this width have diagonals, and stretched ones near a cube's edges, that are no
   // longer than asked for; a quarter of a circle is pi / 4 of the cube's edge longer than its
   // radius.
-  const double cell = longest_edge / 1.6;
+  const double cell = longest_edge / 1.85;
   const Eigen::Array3i counts = (2.0 * object.half_size.array() / cell).ceil().cast<int>().max(1);
   TriangleMesh mesh;
   std::map<std::array<int, 3>, std::uint32_t> vertex_at;
