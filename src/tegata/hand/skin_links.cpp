@@ -16,6 +16,10 @@ double squared_distance(const std::array<Eigen::Vector3d, 2>& segment,
   return (segment[0] + part * way - point).squaredNorm();
 }
 
+// How many times the distance to the first bone a step goes on mixing. The thumb's metacarpal lies
+// at an acute angle to the palm with a web between, which must stretch over its whole width.
+double blend_width(int a, int b) { return std::min(a, b) == 0 && std::max(a, b) == 1 ? 2.0 : 1.0; }
+
 bool are_joined(int a, int b) { return parent_bone(a) == b || parent_bone(b) == a; }
 
 }  // namespace
@@ -60,8 +64,10 @@ SkinLinks link_to_bones(const BoneSegments& segments, const Eigen::Vector3d& poi
   }
   // Beside a joint, at distance d from both bones' common end, a step s along the first bone leaves
   // the second at sqrt(d^2 + s^2): this is s / d.
-  const double step = std::sqrt(
-      std::max(distances[static_cast<std::size_t>(second)] / std::max(*nearest, 1e-12) - 1.0, 0.0));
+  const double step =
+      std::sqrt(std::max(
+          distances[static_cast<std::size_t>(second)] / std::max(*nearest, 1e-12) - 1.0, 0.0)) /
+      blend_width(first, second);
   const double weight = step < 1.0 ? 0.5 - step * (0.75 - 0.25 * step * step) : 0.0;
   SkinLinks links;
   links.bones = {first, second, 0, 0};
