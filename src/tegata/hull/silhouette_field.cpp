@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/hull/silhouette_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tegata/base/error.h"
+#include "tegata/image/distance_transform.h"
+
+namespace tegata {
+namespace {
+
+// A cube's pixels are taken so much wider than it projects [px]: bilinear interpolation reads
+// pixels up to 1 away.
+constexpr double kMargin = 1.5;
+// Around the foreground, distances are measured so far [px]; beyond they go on as a straight line.
+constexpr int kDistanceMargin = 4;
+constexpr std::size_t kRememberedViews = 64;
+constexpr int kMostDissentingViews = 15;
+
+bool is_foreground(PixelLabel label) { return label != PixelLabel::background; }
+
+void check_view(const HullView& view) {
+  check_camera(view.camera);
+  if (view.camera.is_distorted()) {
+    throw Error("hull: camera '", view.camera.name,
+                "' has lens distortion, expected undistorted views: undistort() the silhouette and "
+                "take camera.undistorted()");
+  }
+  if (view.silhouette.width() != view.camera.width ||
+      view.silhouette.height() != view.camera.height) {
+    throw Error("hull: camera '", view.camera.name, "': got a silhouette of ",
+                view.silhouette.width(), " x ", view.silhouette.height(),
+                ", expected the camera's ", view.camera.width, " x ", view.camera.height);
+  }
+}
+
+void check_options(const HullOptions& options, std::size_t view_count) {
+  if (!(options.voxel_size > 0.0) || !std::isfinite(options.voxel_size)) {
+    throw Error("hull: got voxel_size = ", options.voxel_size, " m, expected a positive size");
+  }
+  if (options.least_views < 1) {
+    throw Error("hull: got least_views = ", options.least_views, ", expected 1 or more");
+  }
+  if (static_cast<std::size_t>(options.least_views) > view_count) {
+    throw Error("hull: got ", view_count, " views, expected least_views = ", options.least_views,
+                " or more");
+  }
+  const int most = std::min(options.least_views - 1, kMostDissentingViews);
+  if (options.dissenting_views < 0 || options.dissenting_views > most) {
+    throw Error("hull: got dissenting_views = ", options.dissenting_views, ", expected 0 to ", most,
+                ": fewer than least_views = ", options.least_views);
+  }
+}
+
+// The box of all pixels that are not background. Rows are searched from both ends.
+Eigen::AlignedBox2i foreground_box(const Silhouette& silhouette) {
+  Eigen::AlignedBox2i box;
+  const int width = silhouette.width();
+  for (int y = 0; y < silhouette.height(); ++y) {
+    const PixelLabel* row = silhouette.values().data() +
+                            static_cast<std::ptrdiff_t>(y) * static_cast<std::ptrdiff_t>(width);
+    const PixelLabel* first = std::find_if(row, row + width, is_foreground);
+    if (first == row + width) continue;
+    const PixelLabel* last = row + width - 1;
+    while (!is_foreground(*last)) --last;
+    box.extend(Eigen::Vector2i(static_cast<int>(first - row), y));
+    box.extend(Eigen::Vector2i(static_cast<int>(last - row), y));
+  }
+  return box;
+}
+
+}  // namespace
+
+SilhouetteField::SilhouetteField(const std::vector<HullView>& views, const HullOptions& options)
+    : dissenting_views_(static_cast<std::size_t>(std::max(options.dissenting_views, 0))),
+      least_views_(static_cast<std::size_t>(std::max(options.least_views, 1))),
+      outside_value_(-static_cast<float>(options.voxel_size)) {
+  check_options(options, views.size());
+  std::string empty_views;
+  std::size_t empty_count = 0;
+  bool has_hand = false;
+  views_.reserve(views.size());
+  for (const HullView& source : views) {
+    check_view(source);
+    views_.push_back(make_view(source));
+    const auto& labels = source.silhouette.values();
+    has_hand =
+        has_hand || std::find(labels.begin(), labels.end(), PixelLabel::hand) != labels.end();
+    if (!views_.back().foreground.isEmpty()) continue;
+    empty_views += text(empty_count++ == 0 ? "'" : ", '", source.camera.name, "'");
+  }
+  if (empty_count > dissenting_views_) {
+    throw Error("hull: the silhouette of ", empty_views,
+                " is all background, expected hand pixels in every view (or unknown ones where "
+                "something stands before the hand): is the mask or the segmentation right?");
+  }
+  if (!has_hand) {
+    throw Error(
+        "hull: no view has a pixel that is hand, expected some: unknown pixels alone prove "
+        "nothing");
+  }
+}
+
+SilhouetteField::View SilhouetteField::make_view(const HullView& source) {
+  View view;
+  const Camera& camera = source.camera;
+  view.source = &source;
+  Eigen::Matrix3d pixel_from_camera;
+  pixel_from_camera << camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0;
+  view.pixel_from_world = pixel_from_camera * camera.camera_from_world.rotation.toRotationMatrix();
+  view.pixel_offset = pixel_from_camera * camera.camera_from_world.translation;
+  view.width = camera.width;
+  view.height = camera.height;
+  view.metres_per_pixel = static_cast<float>(2.0 / (camera.fx + camera.fy));
+  view.foreground = foreground_box(source.silhouette);
+  if (view.foreground.isEmpty()) return view;
+
+  const Eigen::Vector2i low = view.foreground.min();
+  const Eigen::Vector2i size = view.foreground.sizes() + Eigen::Vector2i::Ones();
+  const auto stride = static_cast<std::size_t>(size.x()) + 1;
+  view.sums.assign(stride * (static_cast<std::size_t>(size.y()) + 1), 0);
+  for (int y = 0; y < size.y(); ++y) {
+    const std::size_t above = static_cast<std::size_t>(y) * stride;
+    std::uint32_t in_row = 0;
+    for (int x = 0; x < size.x(); ++x) {
+      const PixelLabel label = source.silhouette(low.x() + x, low.y() + y);
+      in_row += is_foreground(label) ? 1u : 0u;
+      view.has_unknown |= label == PixelLabel::unknown;
+      const std::size_t column = static_cast<std::size_t>(x) + 1;
+      view.sums[above + stride + column] = view.sums[above + column] + in_row;
+    }
+  }
+  return view;
+}
+
+void SilhouetteField::measure_distances() {
+  for (View& view : views_) {
+    const Silhouette& silhouette = view.source->silhouette;
+    Eigen::AlignedBox2i box = view.foreground;
+    if (box.isEmpty()) box.extend(Eigen::Vector2i(0, 0));
+    const Eigen::Vector2i last(silhouette.width() - 1, silhouette.height() - 1);
+    const Eigen::Vector2i low = (box.min().array() - kDistanceMargin).max(0);
+    const Eigen::Vector2i high = (box.max().array() + kDistanceMargin).min(last.array());
+    Silhouette part(high.x() - low.x() + 1, high.y() - low.y() + 1);
+    for (int y = 0; y < part.height(); ++y) {
+      for (int x = 0; x < part.width(); ++x) part(x, y) = silhouette(low.x() + x, low.y() + y);
+    }
+    view.distance = signed_distance(part, is_foreground);
+    view.distance_origin = low.cast<double>();
+  }
+}
+
+SilhouetteField SilhouetteField::without(std::size_t view) const {
+  SilhouetteField rest = *this;
+  rest.views_.erase(rest.views_.begin() + static_cast<std::ptrdiff_t>(view));
+  rest.least_views_ = std::min(least_views_, rest.views_.size());
+  rest.dissenting_views_ = std::min(dissenting_views_, rest.least_views_ - 1);
+  return rest;
+}
+
+std::uint32_t SilhouetteField::count_foreground(const View& view,
+                                                const Eigen::AlignedBox2i& pixels) {
+  const Eigen::Vector2i low = pixels.min().cwiseMax(view.foreground.min());
+  const Eigen::Vector2i high = pixels.max().cwiseMin(view.foreground.max());
+  if ((low.array() > high.array()).any()) return 0;
+  const auto stride = static_cast<std::size_t>(view.foreground.sizes().x()) + 2;
+  const auto left = static_cast<std::size_t>(low.x() - view.foreground.min().x());
+  const auto right = static_cast<std::size_t>(high.x() - view.foreground.min().x()) + 1;
+  const auto top = static_cast<std::size_t>(low.y() - view.foreground.min().y()) * stride;
+  const auto bottom = (static_cast<std::size_t>(high.y() - view.foreground.min().y()) + 1) * stride;
+  return view.sums[bottom + right] - view.sums[bottom + left] - view.sums[top + right] +
+         view.sums[top + left];
+}
+
+SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen::Vector3d& center,
+                                                  double half_side) {
+  const Eigen::Matrix3d& m = view.pixel_from_world;
+  const Eigen::Vector3d h = m * center + view.pixel_offset;
+  const double depth_reach = half_side * m.row(2).cwiseAbs().sum();
+  if (h.z() + depth_reach <= 0.0) return {Verdict::blind, false};
+  const double nearest = h.z() - depth_reach;
+  if (!(nearest > 0.0)) return {Verdict::undecided, false};
+  // For a point at center + d the pixel is off by (m0 - x m2) . d / (depth there), exactly.
+  const double x = h.x() / h.z(), y = h.y() / h.z();
+  const double scale = half_side / nearest;
+  const double reach_x = scale * (m.row(0) - x * m.row(2)).cwiseAbs().sum() + kMargin;
+  const double reach_y = scale * (m.row(1) - y * m.row(2)).cwiseAbs().sum() + kMargin;
+  const double left = x - reach_x, right = x + reach_x, top = y - reach_y, bottom = y + reach_y;
+  // Half a pixel of the margin is left over where not even the cube itself reaches the picture.
+  if (right < 0.5 || bottom < 0.5 || left > view.width - 1.5 || top > view.height - 1.5) {
+    return {Verdict::blind, false};
+  }
+  const bool sees_all =
+      left >= 0.0 && top >= 0.0 && right <= view.width - 1.0 && bottom <= view.height - 1.0;
+  const Eigen::AlignedBox2i pixels(
+      Eigen::Vector2i(static_cast<int>(std::ceil(std::max(left, 0.0))),
+                      static_cast<int>(std::ceil(std::max(top, 0.0)))),
+      Eigen::Vector2i(static_cast<int>(std::min(right, view.width - 1.0)),
+                      static_cast<int>(std::min(bottom, view.height - 1.0))));
+  const std::uint32_t count = count_foreground(view, pixels);
+  if (count == 0) return {sees_all ? Verdict::outside : Verdict::undecided, sees_all};
+  const Eigen::Vector2i size = pixels.sizes() + Eigen::Vector2i::Ones();
+  if (count != static_cast<std::uint32_t>(size.x()) * static_cast<std::uint32_t>(size.y())) {
+    return {Verdict::undecided, sees_all};
+  }
+  return {sees_all ? Verdict::inside : Verdict::inside_as_far_as_seen, sees_all};
+}
+
+Occupancy SilhouetteField::classify(const Eigen::Vector3d& center, double half_side,
+                                    State& state) const {
+  std::size_t outside = 0, blind = 0, content = 0, see_all = 0;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    const std::uint64_t bit = i < kRememberedViews ? std::uint64_t{1} << i : 0;
+    Judgement judgement;
+    if ((state.inside & bit) != 0) {
+      judgement = {Verdict::inside, true};
+    } else if ((state.outside & bit) != 0) {
+      judgement = {Verdict::outside, true};
+    } else if ((state.blind & bit) != 0) {
+      judgement = {Verdict::blind, false};
+    } else {
+      judgement = judge(views_[i], center, half_side);
+    }
+    see_all += judgement.sees_all ? 1 : 0;
+    switch (judgement.verdict) {
+      case Verdict::outside:
+        state.outside |= bit;
+        if (++outside > dissenting_views_) return Occupancy::outside;
+        break;
+      case Verdict::blind:
+        state.blind |= bit;
+        if (++blind + least_views_ > views_.size()) return Occupancy::outside;
+        break;
+      case Verdict::inside:
+        state.inside |= bit;
+        ++content;
+        break;
+      case Verdict::inside_as_far_as_seen:
+        ++content;
+        break;
+      case Verdict::undecided:
+        break;
+    }
+  }
+  const std::size_t may_object = views_.size() - content - blind;
+  return may_object <= dissenting_views_ && see_all >= least_views_ ? Occupancy::inside
+                                                                    : Occupancy::mixed;
+}
+
+float SilhouetteField::distance_at(const View& view, double x, double y) {
+  const Image<float>& image = view.distance;
+  const double local_x = x - view.distance_origin.x(), local_y = y - view.distance_origin.y();
+  const float value = sample_bilinear(image, local_x, local_y);
+  if (value > 0.0f) return value;
+  const double beyond_x = std::max({0.0, -local_x, local_x - (image.width() - 1)});
+  const double beyond_y = std::max({0.0, -local_y, local_y - (image.height() - 1)});
+  return value - static_cast<float>(beyond_x + beyond_y);
+}
+
+float SilhouetteField::sample(const Eigen::Vector3d& point, bool& unproven) const {
+  std::array<float, kMostDissentingViews + 2> smallest{};  // in rising order
+  std::size_t seeing = 0, against = 0;
+  for (const View& view : views_) {
+    const Eigen::Vector3d h = view.pixel_from_world * point + view.pixel_offset;
+    if (!(h.z() > 0.0)) continue;
+    const double x = h.x() / h.z(), y = h.y() / h.z();
+    if (!(x >= -0.5 && y >= -0.5 && x < view.width - 0.5 && y < view.height - 0.5)) continue;
+    const float pixels = distance_at(view, x, y);
+    const float value = pixels * static_cast<float>(h.z()) * view.metres_per_pixel;
+    const bool is_unknown =
+        view.has_unknown &&
+        view.source->silhouette(static_cast<int>(x + 0.5), static_cast<int>(y + 0.5)) ==
+            PixelLabel::unknown;
+    against += is_unknown || !(pixels > 0.0f) ? 1 : 0;
+    std::size_t place = std::min(seeing, dissenting_views_ + 1);
+    for (; place > 0 && smallest[place - 1] > value; --place) smallest[place] = smallest[place - 1];
+    smallest[place] = value;
+    ++seeing;
+  }
+  if (seeing < least_views_) return outside_value_;
+  unproven = against > dissenting_views_;
+  return smallest[dissenting_views_];
+}
+
+}  // namespace tegata

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tegata/hull/visual_hull.h"
+
+namespace tegata {
+
+/// What the silhouettes say of a point or a cube: the source that the hull's octree divides by.
+/// Refers to the views' silhouettes, which must outlive it.
+class SilhouetteField {
+ public:
+  /// Throws Error, naming the view, on lens distortion, sizes that do not match, silhouettes that
+  /// show nothing, and on options that the number of views does not allow.
+  SilhouetteField(const std::vector<HullView>& views, const HullOptions& options);
+
+  /// What a cube's eighths need not ask again, by view (of the first 64).
+  struct State {
+    std::uint64_t inside = 0;   ///< sees all of the cube, and all of it before the hand
+    std::uint64_t outside = 0;  ///< sees all of the cube, and all of it before the background
+    std::uint64_t blind = 0;    ///< sees nothing of it
+  };
+  Occupancy classify(const Eigen::Vector3d& center, double half_side, State& state) const;
+
+  /// How far inside the silhouettes a point is [m]. Needs measure_distances().
+  float sample(const Eigen::Vector3d& point, bool& unproven) const;
+  /// Prepares sample(); classify() needs it not.
+  void measure_distances();
+
+  /// The same without one view, and with as many views asked for as are left.
+  SilhouetteField without(std::size_t view) const;
+
+  std::size_t view_count() const { return views_.size(); }
+  const std::string& name(std::size_t view) const { return views_[view].source->camera.name; }
+  /// The pixels of a view that are hand or unknown: all lie in this box.
+  Eigen::AlignedBox2i foreground(std::size_t view) const { return views_[view].foreground; }
+  const Camera& camera(std::size_t view) const { return views_[view].source->camera; }
+
+ private:
+  struct View {
+    const HullView* source = nullptr;
+    Eigen::Matrix3d pixel_from_world;  ///< homogeneous, with pixel_offset; third row: depth [m]
+    Eigen::Vector3d pixel_offset;
+    double width = 0.0, height = 0.0;
+    float metres_per_pixel = 0.0f;    ///< at a depth of 1 m
+    Eigen::AlignedBox2i foreground;   ///< of pixels that are hand or unknown; empty without any
+    std::vector<std::uint32_t> sums;  ///< of such pixels above and left, over the foreground's box
+    bool has_unknown = false;
+    Image<float> distance;            ///< signed, around the foreground
+    Eigen::Vector2d distance_origin;  ///< pixel of the picture where `distance` begins
+  };
+  enum class Verdict : std::uint8_t { blind, outside, inside, inside_as_far_as_seen, undecided };
+  struct Judgement {
+    Verdict verdict = Verdict::undecided;
+    bool sees_all = false;
+  };
+  static View make_view(const HullView& source);
+  static Judgement judge(const View& view, const Eigen::Vector3d& center, double half_side);
+  static std::uint32_t count_foreground(const View& view, const Eigen::AlignedBox2i& pixels);
+  static float distance_at(const View& view, double x, double y);
+
+  std::vector<View> views_;
+  std::size_t dissenting_views_ = 0, least_views_ = 2;
+  float outside_value_ = -1.0f;
+};
+
+}  // namespace tegata
