@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tegata/base/text.h"
 #include "tegata/camera/camera.h"
 #include "tegata/fit/fit_hand.h"
 #include "tegata/fit/solver.h"
