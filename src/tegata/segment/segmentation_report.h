@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+namespace tegata {
+
+/// How a picture became a silhouette.
+struct SegmentationReport {
+  double threshold = 0.0;  ///< in the picture's own unit, where there is one
+  std::size_t hand_pixels = 0;
+};
+
+}  // namespace tegata
