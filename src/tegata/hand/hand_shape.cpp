@@ -67,29 +67,38 @@ void check_shape(const HandShape& shape) {
   check_size("forearm_length", shape.forearm_length, 0.02, 0.3);
 }
 
+NeutralDigit neutral_digit(std::size_t digit) {
+  const DigitProportions& part = kDigits[digit];
+  const Eigen::Vector3d dorsal = Eigen::Vector3d::UnitZ();
+  NeutralDigit neutral;
+  neutral.along = Eigen::Vector3d(std::sin(part.fan), std::cos(part.fan), 0.0);
+  neutral.back = turned(dorsal, neutral.along, part.roll);
+  // Turns `along` to the digit's palmar side.
+  const Eigen::Vector3d flexion = neutral.back.cross(neutral.along);
+  // About the digit's own back: towards radial is a right-handed turn.
+  neutral.axes = {digit <= 2 ? neutral.back : Eigen::Vector3d(-neutral.back), flexion, flexion,
+                  flexion};
+  if (digit == 0) {
+    neutral.axes[0] = turned(dorsal.cross(neutral.along), dorsal, kThumbAxisTilt);
+    neutral.axes[1] = -dorsal;
+  }
+  return neutral;
+}
+
 Skeleton right_skeleton(const HandShape& shape) {
   check_shape(shape);
   const double length = shape.length / kTabulatedLength, breadth = shape.palm_breadth;
-  const Eigen::Vector3d dorsal = Eigen::Vector3d::UnitZ();
   Skeleton skeleton;
   skeleton.side = Side::right;
   skeleton.keypoints[0].setZero();
   for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
     const DigitProportions& part = kDigits[digit];
-    const Eigen::Vector3d along(std::sin(part.fan), std::cos(part.fan), 0.0);
-    const Eigen::Vector3d back = turned(dorsal, along, part.roll);
+    const NeutralDigit neutral = neutral_digit(digit);
     Eigen::Vector3d joint(-part.across * breadth, part.along * length, -part.palmwards * breadth);
     for (std::size_t i = 0; i < 4; ++i) {
       skeleton.keypoints[1 + 4 * digit + i] = joint;
-      if (i < 3) joint += part.links[i] * length * along;
-    }
-    const Eigen::Vector3d flexion = back.cross(along);  // turns `along` to the digit's palmar side
-    for (std::size_t i = 1; i < 4; ++i) skeleton.axes[4 * digit + i] = flexion;
-    // About the digit's own back: towards radial is a right-handed turn.
-    skeleton.axes[4 * digit] = digit <= 2 ? back : Eigen::Vector3d(-back);
-    if (digit == 0) {
-      skeleton.axes[0] = turned(dorsal.cross(along), dorsal, kThumbAxisTilt);
-      skeleton.axes[1] = -dorsal;
+      skeleton.axes[4 * digit + i] = neutral.axes[i];
+      if (i < 3) joint += part.links[i] * length * neutral.along;
     }
   }
   return skeleton;

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
 #include "tegata/hand/skeleton.h"
 
 namespace tegata {
@@ -22,6 +26,15 @@ void check_shape(const HandShape& shape);
 
 /// The joints of a right hand of this shape.
 Skeleton right_skeleton(const HandShape& shape);
+
+/// How a digit of a right hand lies at zero angles, whatever its size.
+struct NeutralDigit {
+  Eigen::Vector3d along;                ///< from its first joint to its tip
+  Eigen::Vector3d back;                 ///< out of the nail's side
+  std::array<Eigen::Vector3d, 4> axes;  ///< of its angles, as in Skeleton
+};
+/// Digits from the thumb (0) to the little finger (4).
+NeutralDigit neutral_digit(std::size_t digit);
 
 /// The angles that the built-in surface is made at: fingers spread so that they do not touch and
 /// bent a little, which is where skinning has the least way to go to either end.

@@ -74,7 +74,7 @@ TEST(LinkToBones, ForearmStaysWithThePalm) {
     for (const double z : {-0.02, 0.02}) {
       const SkinLinks links = link_to_bones(test_segments(), {x, -0.03, z});
       EXPECT_EQ(main_bone(links), 0);
-      EXPECT_EQ(links.weights[0], 1.0) << x;
+      EXPECT_GT(links.weights[0], 0.99) << x;
     }
   }
 }
