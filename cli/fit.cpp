@@ -115,7 +115,7 @@ void run(Arguments& arguments) {
   const Stopwatch stopwatch;
   Take take = Take::open(arguments.take);
   const HandModel hand = load_hand(arguments.hand_file, choose_side(take, arguments.side));
-  StagedFolder folder(arguments.result, arguments.force);
+  StagedFolder folder(arguments.result, arguments.force, "result.json");
 
   FitTakeOptions& options = arguments.options;
   options.threads = arguments.common.threads;

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// Takes of the virtual room through the whole program.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "run_program.h"
+#include "tegata/evaluate/evaluation.h"
+#include "tegata/take/picture_file.h"
+#include "tegata/take/result.h"
+#include "tegata/take/test_folder.h"
+
+namespace tegata {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class EndToEnd : public testing::Test {
+ protected:
+  fs::path take() const { return folder_ / "take"; }
+  fs::path result() const { return folder_ / "result"; }
+
+  void simulate(const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments = {"simulate", take().string(), "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramRun run = run_program(arguments);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+
+  ProgramRun fit(const fs::path& to, const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments = {"fit", take().string(), "-o", to.string(), "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run;
+  }
+
+  Evaluation evaluate(const fs::path& fitted) const { return evaluate_result(fitted, take(), 0); }
+
+  TestFolder folder_;
+};
+
+// A small take of masks, for what does not depend on how hard a take is.
+const std::vector<std::string> kSmallTake = {"--mode", "mask",   "--frames",
+                                             "3",      "--size", "320x240"};
+
+TEST_F(EndToEnd, InfraredCylinderIsFoundWithinFiveMillimetres) {
+  simulate({"--grasp", "cylinder", "--cameras", "3", "--frames", "10", "--seed", "1", "--mode",
+            "infrared", "--hand", "right"});
+  fit(result(), {"--no-report"});
+  const Evaluation evaluation = evaluate(result());
+  EXPECT_EQ(evaluation.fitted_count, 10u);
+  EXPECT_LE(evaluation.mean.surface_error_mm, 5.0);
+}
+
+TEST_F(EndToEnd, LeftHandWithASphereSeenByFiveCamerasIsFound) {
+  simulate({"--grasp", "sphere", "--cameras", "5", "--frames", "4", "--seed", "3", "--mode", "mask",
+            "--hand", "left"});
+  fit(result(), {"--no-report"});
+  const Evaluation evaluation = evaluate(result());
+  EXPECT_EQ(evaluation.fitted_count, 4u);
+  EXPECT_LE(evaluation.mean.surface_error_mm, 3.0);
+  EXPECT_EQ(read_result_json(result() / "result.json").side, Side::left);
+}
+
+TEST_F(EndToEnd, NumberOfThreadsDoesNotChangeABit) {
+  simulate({"--frames", "3", "--size", "320x240", "--seed", "2"});
+  fit(folder_ / "one", {"--threads", "1"});
+  fit(folder_ / "two", {"--threads", "2"});
+  const auto without_times = [](const fs::path& file) {
+    auto content = nlohmann::ordered_json::parse(read_text(file));
+    EXPECT_EQ(content["report"].erase("seconds"), 1u);
+    return content.dump();
+  };
+  EXPECT_EQ(without_times(folder_ / "one/result.json"), without_times(folder_ / "two/result.json"));
+  for (const char* name : {"angles.csv", "hand.glb", "meshes/000002.ply"}) {
+    EXPECT_EQ(read_text(folder_ / "one" / name), read_text(folder_ / "two" / name)) << name;
+  }
+}
+
+TEST_F(EndToEnd, SameSeedMakesTheSameTake) {
+  simulate({"--frames", "2", "--size", "320x240", "--seed", "9", "--threads", "1"});
+  fs::rename(take(), folder_ / "first");
+  simulate({"--frames", "2", "--size", "320x240", "--seed", "9", "--threads", "2"});
+  std::size_t file_count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(take())) {
+    if (!entry.is_regular_file()) continue;
+    ++file_count;
+    const fs::path twin = folder_ / "first" / fs::relative(entry.path(), take());
+    EXPECT_EQ(read_text(entry.path()), read_text(twin)) << twin;
+  }
+  EXPECT_EQ(file_count, 3u + 2u + 2u * 3u);  // descriptions, truth, pictures
+}
+
+TEST_F(EndToEnd, ResultHoldsTheFilesThatTheFormatsPromise) {
+  simulate(kSmallTake);
+  fit(result(), {"--hulls"});
+  EXPECT_EQ(names_in(result()), (std::vector<std::string>{"angles.csv", "hand.glb", "hulls",
+                                                          "meshes", "report.html", "result.json"}));
+  const std::vector<std::string> frames = {"000000.ply", "000001.ply", "000002.ply"};
+  EXPECT_EQ(names_in(result() / "meshes"), frames);
+  EXPECT_EQ(names_in(result() / "hulls"), frames);
+  const std::string page = read_text(result() / "report.html");
+  EXPECT_NE(page.find("data:image/jpeg;base64,"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos);
+}
+
+TEST_F(EndToEnd, ChosenFramesAloneAreFittedAndFreeGraspsDiffer) {
+  simulate(kSmallTake);
+  fit(result(), {"--no-report", "--frames", "0:2:2", "--grasp", "free"});
+  const Result fitted = read_result_json(result() / "result.json");
+  ASSERT_EQ(fitted.frames.size(), 2u);
+  EXPECT_EQ(fitted.frames[0].name, "000000");
+  EXPECT_EQ(fitted.frames[1].name, "000002");
+  ASSERT_TRUE(fitted.frames[0].pose && fitted.frames[1].pose);
+  EXPECT_GT((fitted.frames[0].pose->angles - fitted.frames[1].pose->angles).norm(), 1e-6);
+}
+
+TEST_F(EndToEnd, FixedGraspHasOneSetOfAngles) {
+  simulate(kSmallTake);
+  fit(result(), {"--no-report"});
+  const Result fitted = read_result_json(result() / "result.json");
+  for (const ResultFrame& frame : fitted.frames) {
+    ASSERT_TRUE(frame.pose.has_value());
+    EXPECT_EQ(frame.pose->angles, fitted.grasp_angles);
+  }
+}
+
+TEST_F(EndToEnd, HandThatTheFitWroteFitsTheTakeAgain) {
+  simulate(kSmallTake);
+  fit(result(), {"--no-report"});
+  fit(folder_ / "again", {"--no-report", "--hand", (result() / "hand.glb").string()});
+  const double first = evaluate(result()).mean.surface_error_mm;
+  EXPECT_LE(evaluate(folder_ / "again").mean.surface_error_mm, first + 1.0);
+}
+
+TEST_F(EndToEnd, ScriptsGetOneJsonObjectFromEachCommand) {
+  std::vector<std::string> arguments = {"simulate", take().string(), "--quiet", "--json"};
+  arguments.insert(arguments.end(), kSmallTake.begin(), kSmallTake.end());
+  EXPECT_EQ(json::parse(run_program(arguments).out).at("frames"), 3);
+  EXPECT_EQ(json::parse(fit(result(), {"--no-report", "--json"}).out).at("frames"), 3);
+
+  const json take_info = json::parse(run_program({"info", take().string(), "--json"}).out);
+  EXPECT_EQ(take_info.at("kind"), "take");
+  EXPECT_EQ(take_info.at("source"), "masks");
+  EXPECT_EQ(take_info.at("cameras").size(), 3u);
+  EXPECT_EQ(take_info.at("truth"), true);
+  const json result_info = json::parse(run_program({"info", result().string(), "--json"}).out);
+  EXPECT_EQ(result_info.at("kind"), "result");
+  EXPECT_EQ(result_info.at("grasp_deg").size(), 20u);
+  const json figures = json::parse(
+      run_program({"evaluate", result().string(), "--truth", take().string(), "--json"}).out);
+  EXPECT_TRUE(figures.is_object());
+
+  const fs::path picture = folder_ / "picture.png";
+  const json drawn = json::parse(
+      run_program({"picture", result().string(), "--take", take().string(), "-o", picture.string(),
+                   "--frames", "2", "--width", "160", "--quiet", "--json"})
+          .out);
+  EXPECT_EQ(drawn.at("rows"), 2);
+  EXPECT_EQ(drawn.at("columns"), 4);
+  EXPECT_GE(read_picture(picture).values.width(), 4 * 160);
+}
+
+}  // namespace
+}  // namespace tegata
