@@ -21,168 +21,172 @@ namespace {
 
 template <int N>
 using Levels = Eigen::Matrix<double, N, 1>;
+
 template <int N>
-using Spread = Eigen::Matrix<double, N, N>;
-
-// The part of a picture and a silhouette around the hand.
-struct Crop {
-  cv::Rect window;
-  cv::Mat labels;                 // of PixelLabel
-  std::vector<cv::Mat> channels;  // of float
-};
-
-Crop crop_to_hand(const Image<float>& picture, const BorderOptions& options,
-                  const Silhouette& silhouette) {
-  if (picture.width() != silhouette.width() || picture.height() != silhouette.height() ||
-      (picture.channels() != 1 && picture.channels() != 3)) {
-    throw Error("border: got a picture of ", picture.width(), " x ", picture.height(), " with ",
-                picture.channels(), " channels, expected ", silhouette.width(), " x ",
-                silhouette.height(), " with 1 or 3");
-  }
-  cv::Mat labels(silhouette.height(), silhouette.width(), CV_8U);
-  std::transform(silhouette.values().begin(), silhouette.values().end(),
-                 labels.begin<std::uint8_t>(),
-                 [](PixelLabel label) { return static_cast<std::uint8_t>(label); });
-  Crop crop;
-  crop.window = cv::boundingRect(labels == static_cast<int>(PixelLabel::hand));
-  const int margin = options.clearance_px + options.reach_px + 1;
-  crop.window -= cv::Point(margin, margin);
-  crop.window += cv::Size(2 * margin, 2 * margin);
-  crop.window &= cv::Rect(0, 0, labels.cols, labels.rows);
-  crop.labels = labels(crop.window);
-  for (int c = 0; c < picture.channels(); ++c) {
-    cv::Mat channel(crop.window.size(), CV_32F);
-    for (int y = 0; y < channel.rows; ++y) {
-      for (int x = 0; x < channel.cols; ++x) {
-        channel.at<float>(y, x) = picture(crop.window.x + x, crop.window.y + y, c);
-      }
-    }
-    crop.channels.push_back(channel);
-  }
-  return crop;
+Levels<N> value_at(const Image<float>& picture, int x, int y) {
+  Levels<N> value;
+  for (int c = 0; c < N; ++c) value[c] = picture(x, y, c);
+  return value;
 }
 
-// One side of the border: which pixels are surely its own, and sums over those in reach of a pixel,
-// from tables of sums over all that lies above and to the left (Crow 1984).
+// Count, sum and sum of products of values.
+template <int N>
+struct Moments {
+  double count = 0.0;
+  Levels<N> sum = Levels<N>::Zero();
+  Eigen::Matrix<double, N, N> products = Eigen::Matrix<double, N, N>::Zero();
+
+  void add(double sign, const Levels<N>& value) {
+    count += sign;
+    sum += sign * value;
+    products += sign * value * value.transpose();
+  }
+  Moments& operator+=(const Moments& other) {
+    count += other.count;
+    sum += other.sum;
+    products += other.products;
+    return *this;
+  }
+  Moments& operator-=(const Moments& other) {
+    count -= other.count;
+    sum -= other.sum;
+    products -= other.products;
+    return *this;
+  }
+  Levels<N> mean() const { return sum / count; }
+  // The sum of (value - mean) (value - mean)^T.
+  Eigen::Matrix<double, N, N> scatter() const { return products - sum * sum.transpose() / count; }
+};
+
+// The pixels of a label that are clear of the border: 0 or 255.
+cv::Mat sure_pixels(const Silhouette& silhouette, PixelLabel label, const BorderOptions& options) {
+  cv::Mat mask(silhouette.height(), silhouette.width(), CV_8U), sure;
+  std::transform(silhouette.values().begin(), silhouette.values().end(), mask.begin<std::uint8_t>(),
+                 [&](PixelLabel l) { return static_cast<std::uint8_t>(l == label ? 255 : 0); });
+  const int breadth = 2 * options.clearance_px + 1;
+  cv::erode(mask, sure, cv::getStructuringElement(cv::MORPH_ELLIPSE, {breadth, breadth}));
+  return sure;
+}
+
+// The moments of one side's sure pixels over square windows around the pixels of a part of the
+// picture, row by row from its top.
 template <int N>
 class Side {
  public:
-  Side(const Crop& crop, PixelLabel label, const BorderOptions& options)
-      : reach_(options.reach_px) {
-    const int breadth = 2 * options.clearance_px + 1;
-    cv::erode(crop.labels == static_cast<int>(label), sure_,
-              cv::getStructuringElement(cv::MORPH_ELLIPSE, {breadth, breadth}));
-    cv::Mat weight;
-    sure_.convertTo(weight, CV_64F, 1.0 / 255.0);
-    count_ = table(weight);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(N); ++i) {
-      cv::Mat value;
-      crop.channels[i].convertTo(value, CV_64F);
-      const cv::Mat weighted = value.mul(weight);
-      sums_.push_back(table(weighted));
-      for (std::size_t j = 0; j <= i; ++j) {
-        crop.channels[j].convertTo(value, CV_64F);
-        products_.push_back(table(weighted.mul(value)));
-      }
-    }
-  }
+  Side(const Image<float>& picture, const cv::Mat& sure, const cv::Rect& part, int reach)
+      : picture_(picture),
+        sure_(sure),
+        reach_(reach),
+        left_(std::max(0, part.x - reach)),
+        right_(std::min(sure.cols, part.x + part.width + reach)),
+        top_(std::max(0, part.y - reach)),
+        bottom_(top_),
+        columns_(static_cast<std::size_t>(right_ - left_)),
+        sums_(columns_.size() + 1) {}
 
-  bool is_sure(int x, int y) const { return sure_.at<std::uint8_t>(y, x) != 0; }
-  double count(int x, int y) const { return sum(count_, x, y); }
-  Levels<N> level(int x, int y) const {
-    Levels<N> mean;
-    for (int i = 0; i < N; ++i) mean[i] = sum(sums_[static_cast<std::size_t>(i)], x, y);
-    return mean / count(x, y);
-  }
-  // The sum over the pixels in reach of (value - level) (value - level)^T.
-  Spread<N> scatter(int x, int y, const Levels<N>& level) const {
-    Spread<N> result;
-    std::size_t k = 0;
-    for (int i = 0; i < N; ++i) {
-      for (int j = 0; j <= i; ++j, ++k) {
-        result(i, j) = sum(products_[k], x, y) - count(x, y) * level[i] * level[j];
-        result(j, i) = result(i, j);
-      }
+  void go_to_row(int y) {
+    for (; bottom_ < std::min(sure_.rows, y + reach_ + 1); ++bottom_) add_row(bottom_, 1.0);
+    for (; top_ < y - reach_; ++top_) add_row(top_, -1.0);
+    for (std::size_t x = 0; x < columns_.size(); ++x) {
+      sums_[x + 1] = sums_[x];
+      sums_[x + 1] += columns_[x];
     }
-    return result;
+  }
+  Moments<N> around(int x) const {
+    Moments<N> moments = sums_[static_cast<std::size_t>(std::min(right_, x + reach_ + 1) - left_)];
+    moments -= sums_[static_cast<std::size_t>(std::max(left_, x - reach_) - left_)];
+    return moments;
   }
 
  private:
-  static cv::Mat table(const cv::Mat& image) {
-    cv::Mat sums;
-    cv::integral(image, sums, CV_64F);
-    return sums;
-  }
-  double sum(const cv::Mat& sums, int x, int y) const {
-    const int left = std::max(0, x - reach_), right = std::min(sure_.cols, x + reach_ + 1);
-    const int top = std::max(0, y - reach_), bottom = std::min(sure_.rows, y + reach_ + 1);
-    return sums.at<double>(bottom, right) - sums.at<double>(bottom, left) -
-           sums.at<double>(top, right) + sums.at<double>(top, left);
+  void add_row(int y, double sign) {
+    for (int x = left_; x < right_; ++x) {
+      if (sure_.at<std::uint8_t>(y, x) == 0) continue;
+      columns_[static_cast<std::size_t>(x - left_)].add(sign, value_at<N>(picture_, x, y));
+    }
   }
 
-  int reach_;
-  cv::Mat sure_, count_;
-  std::vector<cv::Mat> sums_, products_;
+  const Image<float>& picture_;
+  cv::Mat sure_;
+  int reach_, left_, right_;
+  int top_, bottom_;  // the rows that the columns' moments cover, without the last
+  std::vector<Moments<N>> columns_;
+  std::vector<Moments<N>> sums_;  // of the columns before each
 };
 
-// Calls visit(x, y) for each pixel of the crop near the border that has both sides in reach.
+// Calls visit(x, y, moments of the hand, of the background) for each pixel near the border that has
+// both sides in reach.
 template <int N, typename Visit>
-void visit_border(const Crop& crop, const Side<N>& hand, const Side<N>& background,
-                  const Visit& visit) {
-  for (int y = 0; y < crop.labels.rows; ++y) {
-    for (int x = 0; x < crop.labels.cols; ++x) {
-      if (crop.labels.at<std::uint8_t>(y, x) == static_cast<int>(PixelLabel::unknown)) continue;
-      if (hand.is_sure(x, y) || background.is_sure(x, y)) continue;
-      if (hand.count(x, y) > 0.5 && background.count(x, y) > 0.5) visit(x, y);
+void visit_border(const Image<float>& picture, const BorderOptions& options,
+                  const Silhouette& silhouette, const Visit& visit) {
+  const cv::Mat sure_hand = sure_pixels(silhouette, PixelLabel::hand, options);
+  const cv::Mat sure_background = sure_pixels(silhouette, PixelLabel::background, options);
+  const cv::Mat doubtful = (sure_hand | sure_background) == 0;
+  const cv::Rect part = cv::boundingRect(doubtful);
+  Side<N> hand(picture, sure_hand, part, options.reach_px);
+  Side<N> background(picture, sure_background, part, options.reach_px);
+  for (int y = part.y; y < part.y + part.height; ++y) {
+    hand.go_to_row(y);
+    background.go_to_row(y);
+    for (int x = part.x; x < part.x + part.width; ++x) {
+      if (doubtful.at<std::uint8_t>(y, x) == 0 || silhouette(x, y) == PixelLabel::unknown) continue;
+      const Moments<N> on_hand = hand.around(x), behind = background.around(x);
+      if (on_hand.count > 0.5 && behind.count > 0.5) visit(x, y, on_hand, behind);
     }
   }
 }
 
 template <int N>
-void move_border(const Crop& crop, double noise, const BorderOptions& options,
+void move_border(const Image<float>& picture, double noise, const BorderOptions& options,
                  Silhouette& silhouette) {
   constexpr double kLeastDistance = 3.0;  // standard deviations
-  const Side<N> hand(crop, PixelLabel::hand, options);
-  const Side<N> background(crop, PixelLabel::background, options);
-  visit_border(crop, hand, background, [&](int x, int y) {
-    const Levels<N> high = hand.level(x, y), low = background.level(x, y), step = high - low;
-    Spread<N> spread = hand.scatter(x, y, high) + background.scatter(x, y, low);
-    spread /= hand.count(x, y) + background.count(x, y);
-    spread.diagonal().array() += noise * noise;
-    const Levels<N> direction = spread.ldlt().solve(step);
-    if (!(direction.dot(step) >= kLeastDistance * kLeastDistance)) return;
-    Levels<N> value;
-    for (int i = 0; i < N; ++i)
-      value[i] = crop.channels[static_cast<std::size_t>(i)].at<float>(y, x);
-    const bool is_hand = direction.dot(value - 0.5 * (high + low)) > 0.0;
-    silhouette(crop.window.x + x, crop.window.y + y) =
-        is_hand ? PixelLabel::hand : PixelLabel::background;
-  });
+  const Silhouette before = silhouette;
+  visit_border<N>(picture, options, before,
+                  [&](int x, int y, const Moments<N>& hand, const Moments<N>& background) {
+                    const Levels<N> high = hand.mean(), low = background.mean(), step = high - low;
+                    Eigen::Matrix<double, N, N> spread =
+                        (hand.scatter() + background.scatter()) / (hand.count + background.count);
+                    spread.diagonal().array() += noise * noise;
+                    const Levels<N> direction = spread.ldlt().solve(step);
+                    if (!(direction.dot(step) >= kLeastDistance * kLeastDistance)) return;
+                    const bool is_hand =
+                        direction.dot(value_at<N>(picture, x, y) - 0.5 * (high + low)) > 0.0;
+                    silhouette(x, y) = is_hand ? PixelLabel::hand : PixelLabel::background;
+                  });
+}
+
+void check_sizes(const Image<float>& picture, const Silhouette& silhouette) {
+  if (picture.width() == silhouette.width() && picture.height() == silhouette.height() &&
+      (picture.channels() == 1 || picture.channels() == 3)) {
+    return;
+  }
+  throw Error("border: got a picture of ", picture.width(), " x ", picture.height(), " with ",
+              picture.channels(), " channels, expected ", silhouette.width(), " x ",
+              silhouette.height(), " with 1 or 3");
 }
 
 }  // namespace
 
 void move_border_to_half_height(const Image<float>& picture, double noise,
                                 const BorderOptions& options, Silhouette& silhouette) {
-  const Crop crop = crop_to_hand(picture, options, silhouette);
-  if (crop.channels.size() == 1) {
-    move_border<1>(crop, noise, options, silhouette);
+  check_sizes(picture, silhouette);
+  if (picture.channels() == 1) {
+    move_border<1>(picture, noise, options, silhouette);
   } else {
-    move_border<3>(crop, noise, options, silhouette);
+    move_border<3>(picture, noise, options, silhouette);
   }
 }
 
 double border_contrast(const Image<float>& picture, const BorderOptions& options,
                        const Silhouette& silhouette) {
-  const Crop crop = crop_to_hand(picture, options, silhouette);
-  const Side<1> hand(crop, PixelLabel::hand, options);
-  const Side<1> background(crop, PixelLabel::background, options);
+  check_sizes(picture, silhouette);
   double sum = 0.0;
   std::size_t count = 0;
-  visit_border(crop, hand, background, [&](int x, int y) {
-    sum += hand.level(x, y)[0] - background.level(x, y)[0];
-    ++count;
-  });
+  visit_border<1>(picture, options, silhouette,
+                  [&](int, int, const Moments<1>& hand, const Moments<1>& background) {
+                    sum += hand.mean()[0] - background.mean()[0];
+                    ++count;
+                  });
   return count == 0 ? 0.0 : sum / static_cast<double>(count);
 }
 

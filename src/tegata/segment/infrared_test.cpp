@@ -83,12 +83,11 @@ TEST(SegmentInfrared, FindsTheHandWithoutBiasUnderVignettingBlurAndNoise) {
         const CameraImage picture = photograph({0.45, noise, blur, 0.25, true, bits}, random);
         SegmentationReport report;
         const Silhouette found = segment_infrared(picture, {}, &report);
-                    intersection_over_union(found, truth()), hand_area(found) / hand_area(truth()));
-                    EXPECT_GT(intersection_over_union(found, truth()), 0.98)
-                        << bits << ' ' << blur << ' ' << noise;
-                    EXPECT_NEAR(hand_area(found) / hand_area(truth()), 1.0, 0.01)
-                        << bits << ' ' << blur << ' ' << noise;
-                    EXPECT_EQ(report.hand_pixels, count_pixels(found, PixelLabel::hand));
+        EXPECT_GT(intersection_over_union(found, truth()), 0.98)
+            << bits << ' ' << blur << ' ' << noise;
+        EXPECT_NEAR(hand_area(found) / hand_area(truth()), 1.0, 0.01)
+            << bits << ' ' << blur << ' ' << noise;
+        EXPECT_EQ(report.hand_pixels, count_pixels(found, PixelLabel::hand));
       }
     }
   }

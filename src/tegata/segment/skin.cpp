@@ -109,7 +109,7 @@ class SkinTint {
     const double along = (cr * step_.cr + cb * step_.cb) / squared;
     const double aside = (cb * step_.cr - cr * step_.cb) / squared;
     return along > 0.5 && along < 2.0 && std::abs(aside) < 0.35 * along &&
-           tint.luminance > 0.3 * luminance_;
+           tint.luminance > 0.15 * luminance_;
   }
 
  private:
@@ -117,11 +117,11 @@ class SkinTint {
   double luminance_ = 0.0;  // of the skin
 };
 
-// Cuts what hangs on by bridges of up to four pixels.
-void open(Silhouette& silhouette) {
+// Cuts off what is narrower than `breadth` pixels (an odd number).
+void open(Silhouette& silhouette, int breadth) {
   cv::Mat view(silhouette.height(), silhouette.width(), CV_8U, silhouette.values().data());
   cv::morphologyEx(view, view, cv::MORPH_OPEN,
-                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+                   cv::getStructuringElement(cv::MORPH_ELLIPSE, {breadth, breadth}));
 }
 
 }  // namespace
@@ -129,21 +129,23 @@ void open(Silhouette& silhouette) {
 Silhouette segment_skin(const CameraImage& picture, const SkinOptions& options,
                         SegmentationReport* report) {
   const Image<float> colours = luminance_and_chrominance(picture, options.blur_px);
-  const auto clean = [&](Silhouette& silhouette) {
-    open(silhouette);
+  const auto clean = [&](Silhouette& silhouette, int breadth) {
+    open(silhouette, breadth);
     keep_large_components(silhouette, options.smallest_share);
-    fill_pinholes(silhouette, kLargestPinhole);
   };
+  // Cables and seams of a skin-like tint are narrower than fingers.
+  const int narrow = 1 + 2 * (std::max(colours.width(), colours.height()) / 200);
   Silhouette silhouette = select(colours, may_be_skin);
-  clean(silhouette);
+  clean(silhouette, narrow);
   for (int round = 0; round < kRounds; ++round) {
     const SkinTint skin(colours, silhouette);
     silhouette = select(colours, [&](const Tint& tint) { return skin.has(tint); });
-    clean(silhouette);
+    clean(silhouette, narrow);
   }
   for (int round = 0; round < 2; ++round) {
     move_border_to_half_height(colours, kNoise, BorderOptions{}, silhouette);
-    clean(silhouette);
+    clean(silhouette, 3);
+    fill_pinholes(silhouette, kLargestPinhole);
   }
   std::size_t hand_pixels = count_pixels(silhouette, PixelLabel::hand);
   if (static_cast<double>(hand_pixels) <
