@@ -13,8 +13,10 @@ namespace tegata {
 
 /// Reads a skinned hand from GLB or glTF: joints by their 25 WebXR names (wrist, thumb-metacarpal,
 /// ..., pinky-finger-tip), in any order and hierarchy; the finger metacarpals move with the palm.
-/// The hand's frame, axes and zero angles are made from the joints' rest positions. Throws Error
-/// naming the file and what is missing or out of range in it. `side` says which hand it is.
+/// The hand's frame, axes and zero angles are made from where the nodes put the joints
+/// (skeleton_from_keypoints.h); a file of write_hand_gltf has them noted and gives back the very
+/// same. Throws Error naming the file and what is missing or out of range in it. `side` says which
+/// hand it is; joints that can only be those of the other hand are an Error.
 HandModel read_hand_gltf(const std::filesystem::path& file, Side side);
 
 /// One frame of an animation.
@@ -23,8 +25,11 @@ struct HandKeyframe {
   HandPose pose;
 };
 
-/// Writes a skinned hand with WebXR joint names and, unless there are no keyframes, one animation:
-/// y up, metres, the world turned from OpenCV's axes (y down) by half a turn about x.
+/// Writes a skinned hand with WebXR joint names and axes (-z along the bone, y out of its back)
+/// and, unless there are no keyframes, one animation: y up, metres, the world turned from OpenCV's
+/// axes (y down) by half a turn about x. The nodes are in the model's rest pose. Binary unless the
+/// file's name ends in .gltf. Throws Error where times do not increase from 0 on or the file cannot
+/// be written.
 void write_hand_gltf(const HandModel& model, const std::vector<HandKeyframe>& keyframes,
                      const std::filesystem::path& file);
 

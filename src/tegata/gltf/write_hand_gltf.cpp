@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tiny_gltf.h>
 
-#include <cmath>
+#include <fstream>
 
 #include "tegata/base/error.h"
 #include "tegata/gltf/accessor.h"
@@ -266,10 +266,11 @@ void write_hand_gltf(const HandModel& hand, const std::vector<HandKeyframe>& key
   model.defaultScene = 0;
 
   const bool is_binary = file.extension() != ".gltf";
+  std::ofstream stream(file, std::ios::binary);
   tinygltf::TinyGLTF writer;
-  if (!writer.WriteGltfSceneToFile(&model, file.string(), true, true, !is_binary, is_binary)) {
-    throw Error(file.string(), ": it cannot be written");
-  }
+  const bool is_written = writer.WriteGltfSceneToStream(&model, stream, !is_binary, is_binary);
+  stream.close();
+  if (!is_written || !stream) throw Error(file.string(), ": it cannot be written");
 }
 
 }  // namespace tegata
