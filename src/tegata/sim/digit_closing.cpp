@@ -144,8 +144,7 @@ Found compass_search(const ClosingCost& cost, int digit, const JointAngles& angl
 }  // namespace
 
 DigitSurface::DigitSurface(const HandModel& hand, int digit) : hand_(&hand), digit_(digit) {
-  // Of the first bone, where its skin is the palm's.
-  const double palm_end = digit == 0 ? 0.35 : 0.1;
+  constexpr double kBallOfThumb = 0.35;  // of the first bone: skin that gives way as the palm's
   const auto zero_from_rest = bone_transforms(hand.skeleton, hand.rest_angles);
   std::array<int, 3> counts = {};
   for (std::size_t i = 0; i < hand.links.size(); ++i) {
@@ -167,31 +166,32 @@ DigitSurface::DigitSurface(const HandModel& hand, int digit) : hand_(&hand), dig
       radii_[static_cast<std::size_t>(vertex.bone_of_digit)] += (out - share * along).norm();
       ++counts[static_cast<std::size_t>(vertex.bone_of_digit)];
     }
-    if (vertex.bone_of_digit > 0 || share > palm_end) vertices_.push_back(vertex);
+    if (digit > 0 || vertex.bone_of_digit > 0 || share > kBallOfThumb) vertices_.push_back(vertex);
   }
   for (std::size_t bone = 0; bone < 3; ++bone) radii_[bone] /= std::max(counts[bone], 1);
 }
 
 std::array<double, 3> DigitSurface::clearances(const JointAngles& angles,
                                                const PlacedObject& object) const {
-  std::array<double, 3> least;
-  least.fill(std::numeric_limits<double>::infinity());
   const auto hand_from_zero = bone_transforms(hand_->skeleton, angles);
   const Rigid3d object_from_hand = object.object_from_hand();
-  std::array<Eigen::Matrix3d, kBoneCount> turns;
+  std::array<Eigen::Affine3d, kBoneCount> object_from_zero;
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    turns[bone] = hand_from_zero[bone].rotation.toRotationMatrix();
+    const Rigid3d transform = object_from_hand * hand_from_zero[bone];
+    object_from_zero[bone] = Eigen::Translation3d(transform.translation) * transform.rotation;
   }
+  std::array<double, 3> least;
+  least.fill(std::numeric_limits<double>::infinity());
   for (const Vertex& vertex : vertices_) {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     for (std::size_t k = 0; k < vertex.at_zero.size(); ++k) {
-      if (vertex.links.weights[k] == 0.0) continue;
-      const auto bone = static_cast<std::size_t>(vertex.links.bones[k]);
-      point += vertex.links.weights[k] *
-               (turns[bone] * vertex.at_zero[k] + hand_from_zero[bone].translation);
+      const double weight = vertex.links.weights[k];
+      if (weight == 0.0) continue;
+      point += weight * (object_from_zero[static_cast<std::size_t>(vertex.links.bones[k])] *
+                         vertex.at_zero[k]);
     }
     double& clearance = least[static_cast<std::size_t>(vertex.bone_of_digit)];
-    clearance = std::min(clearance, signed_distance(object.object, object_from_hand * point));
+    clearance = std::min(clearance, signed_distance(object.object, point));
   }
   return least;
 }
@@ -203,7 +203,7 @@ JointAngles closed_digit(const HandModel& hand, const DigitSurface& digit,
   const int first = 4 * digit.digit();
   Found best;
   best.cost = std::numeric_limits<double>::infinity();
-  for (const double share : {1.0, 0.5}) {
+  for (const double share : {1.0, 0.2}) {
     JointAngles start = angles;
     start.segment<4>(first) = goal.preferred;
     start.segment<3>(first + 1) *= share;

@@ -32,7 +32,7 @@ class DigitSurface {
 
   int digit() const { return digit_; }
   /// The least distance [m] of the vertices of each of the digit's three bones to the object:
-  /// negative where they are inside. The palm end of the first bone does not count.
+  /// negative where they are inside. The ball of the thumb does not count.
   std::array<double, 3> clearances(const JointAngles& angles, const PlacedObject& object) const;
   /// How far a bone's vertices lie from its axis [m], on average.
   double radius(int bone_of_digit) const { return radii_[static_cast<std::size_t>(bone_of_digit)]; }

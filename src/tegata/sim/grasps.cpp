@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -96,24 +97,48 @@ Eigen::Vector3d joint(const HandModel& hand, int digit, int bone_of_digit) {
   return hand.skeleton.keypoints[static_cast<std::size_t>(1 + 4 * digit + bone_of_digit)];
 }
 
-// Moves an object up to the palm, along the hand's z, until it presses half a millimetre into the
-// skin of the palm or of the flat fingers' roots.
+// The least distance of an object to the skin of the palm and of the fingers' roots.
+double clearance_of_palm(const HandModel& hand, const JointAngles& angles,
+                         const PlacedObject& held) {
+  const PosedHand posed(hand, HandPose{{}, angles});
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < posed.vertices().size(); ++i) {
+    const int bone = main_bone(hand.links[i]);
+    const bool is_root_of_finger = bone > 1 && bone % 3 == 1;
+    if (bone != 0 && !is_root_of_finger) continue;
+    least = std::min(least, held.distance(posed.vertices()[i]));
+  }
+  return least;
+}
+
+// Moves an object up to the palm of the flat hand, along the hand's z, until it presses half a
+// millimetre into the skin.
 void press_into_palm(const HandModel& hand, PlacedObject& held) {
   constexpr double kPress = 0.5e-3, kFar = -0.2;  // [m]
-  JointAngles flat = JointAngles::Zero();
-  flat[0] = angle_limits().upper[0];  // the thumb out of the way
-  const PosedHand open(hand, HandPose{{}, flat});
   double low = kFar, high = 0.0;
-  while (high - low > 1e-5) {
+  while (high - low > 1e-4) {
     held.hand_from_object.translation.z() = 0.5 * (low + high);
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < open.vertices().size(); ++i) {
-      const int bone = main_bone(hand.links[i]);
-      if (bone != 0 && (bone % 3 != 1 || bone == 1)) continue;
-      least = std::min(least, held.distance(open.vertices()[i]));
-    }
-    (least < -kPress ? high : low) = held.hand_from_object.translation.z();
+    const bool too_near = clearance_of_palm(hand, JointAngles::Zero(), held) < -kPress;
+    (too_near ? high : low) = held.hand_from_object.translation.z();
   }
+}
+
+// Closes all digits on an object that lies in the palm. Skin that folds as the fingers bend may
+// push into it; then it gives way and the digits close anew.
+Grasp wrapped(ClosingHand& closing, PlacedObject held) {
+  constexpr int kMostTries = 4;
+  constexpr double kDeepest = 1.2e-3;  // [m]
+  DigitGoal thumb;
+  thumb.contact = {0.05, 0.4, 1.0};
+  press_into_palm(closing.hand(), held);
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    closing.settle();
+    closing.close_all(DigitGoal{}, thumb, held);
+    const double depth = -clearance_of_palm(closing.hand(), closing.angles(), held);
+    if (depth < kDeepest) break;
+    held.hand_from_object.translation.z() -= depth;
+  }
+  return {closing.angles(), held};
 }
 
 Grasp cylinder_grasp(const HandModel& hand, Random& random) {
@@ -131,11 +156,7 @@ Grasp cylinder_grasp(const HandModel& hand, Random& random) {
   held.hand_from_object.translation = 0.5 * (joint(hand, kMiddle, 0) + joint(hand, kRing, 0)) -
                                       random.uniform(0.004, 0.012) * Eigen::Vector3d::UnitY() +
                                       random.uniform(-0.012, 0.012) * axis;
-  press_into_palm(hand, held);
-  DigitGoal thumb;
-  thumb.contact = {0.05, 0.4, 1.0};
-  closing.close_all(DigitGoal{}, thumb, held);
-  return {closing.angles(), held};
+  return wrapped(closing, held);
 }
 
 Grasp sphere_grasp(const HandModel& hand, Random& random) {
@@ -146,16 +167,12 @@ Grasp sphere_grasp(const HandModel& hand, Random& random) {
   held.hand_from_object.translation =
       0.6 * joint(hand, kMiddle, 0) + 0.2 * (joint(hand, kIndex, 0) + joint(hand, kRing, 0)) +
       Eigen::Vector3d(random.uniform(-0.006, 0.002), random.uniform(-0.006, 0.006), 0.0);
-  press_into_palm(hand, held);
-  DigitGoal thumb;
-  thumb.contact = {0.05, 0.4, 1.0};
-  closing.close_all(DigitGoal{}, thumb, held);
-  return {closing.angles(), held};
+  return wrapped(closing, held);
 }
 
-// A fingertip's pad: where it is and which way it faces, in the hand's frame.
+// A fingertip's pad: where it is, which way it faces, and the tip itself, in the hand's frame.
 struct Pad {
-  Eigen::Vector3d point, facing;
+  Eigen::Vector3d point, facing, tip;
 };
 
 Pad pad_of(const HandModel& hand, const DigitSurface& surface, const JointAngles& angles) {
@@ -167,7 +184,7 @@ Pad pad_of(const HandModel& hand, const DigitSurface& surface, const JointAngles
       joint_axes(hand.skeleton, angles)[static_cast<std::size_t>(4 * surface.digit() + 3)]
           .direction;
   const Eigen::Vector3d facing = axis.cross(along).normalized();  // where flexion takes the tip
-  return {keypoints[tip] - kFromTip * along + surface.radius(2) * facing, facing};
+  return {keypoints[tip] - kFromTip * along + surface.radius(2) * facing, facing, keypoints[tip]};
 }
 
 // Between the pads of index and middle finger and where the thumb's would meet them.
@@ -188,55 +205,63 @@ PlacedObject object_before_pads(const HandModel& hand, const ClosingHand& closin
   return held;
 }
 
+struct Pinch {
+  ClosingHand closing;
+  PlacedObject held;
+  double miss = 0.0;  // how far the thumb's pad is from where it shall be, and faces away [m]
+};
+
+// Lays the object before the pads of index and middle finger as they are preferred to be, and
+// closes the three digits on it.
+Pinch pinch_from(ClosingHand closing, const HeldObject& object) {
+  closing.settle();
+  const PlacedObject held = object_before_pads(closing.hand(), closing, object);
+  const Eigen::Vector3d facing = held.hand_from_object.rotation * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d middle_of_face =
+      held.hand_from_object.translation + object.half_size.z() * facing;
+  DigitGoal finger, thumb;
+  finger.contact = thumb.contact = {0.0, 0.0, 4.0};
+  thumb.tip_target = middle_of_face + closing.surface(kThumb).radius(2) * facing;
+  closing.close(kMiddle, {}, finger, held);
+  closing.close(kIndex, {kMiddle}, finger, held);
+  closing.close(kThumb, {kIndex, kMiddle}, thumb, held);
+  const Pad pad = pad_of(closing.hand(), closing.surface(kThumb), closing.angles());
+  const bool is_beside = (pad.tip - middle_of_face).dot(facing) < 0.0;
+  const double miss = (pad.point - middle_of_face).norm() + 0.02 * (1.0 + pad.facing.dot(facing)) +
+                      (is_beside ? 0.1 : 0.0);
+  return {closing, held, miss};
+}
+
 Grasp pinch_grasp(const HandModel& hand, Random& random) {
-  ClosingHand closing(hand, kPinching, random);
+  const ClosingHand closing(hand, kPinching, random);
   HeldObject object;
   const double half_thickness = 0.5 * random.uniform(0.010, 0.025);
   if (random.index(2) == 0) {
     const double radius = random.uniform(0.013, 0.018);
     object = {HeldObject::Shape::cylinder, {radius, radius, half_thickness}};
   } else {
+    const double half_breadth = random.uniform(0.013, 0.018);
     object = {HeldObject::Shape::block,
-              {random.uniform(0.013, 0.018), random.uniform(0.009, 0.013), half_thickness}};
+              {half_breadth, random.uniform(0.009, 0.013), half_thickness}};
   }
-  DigitGoal finger, thumb;
-  finger.contact = thumb.contact = {0.0, 0.0, 4.0};
   // The more the fingers bend at the knuckles, the nearer the object comes to the thumb: takes the
   // bend at which the thumb's pad reaches it best.
-  const JointAngles preferred = closing.preferred();
-  ClosingHand best_closing = closing;
-  PlacedObject best_held;
-  double best_miss = std::numeric_limits<double>::infinity();
-  for (double bend = -18.0; bend <= 24.0; bend += 6.0) {
-    ClosingHand tried = closing;
-    tried.preferred() = preferred;
+  std::optional<Pinch> best;
+  for (double bend = -18.0; bend <= 12.0; bend += 6.0) {
+    ClosingHand bent = closing;
     for (const int digit : {kIndex, kMiddle}) {
-      tried.preferred()[4 * digit + 1] += bend * kDegree;
-      tried.preferred()[4 * digit + 2] -= 0.7 * bend * kDegree;
+      bent.preferred()[4 * digit + 1] += bend * kDegree;
+      bent.preferred()[4 * digit + 2] -= 0.7 * bend * kDegree;
     }
-    tried.settle();
-    const PlacedObject held = object_before_pads(hand, tried, object);
-    const Eigen::Vector3d facing = held.hand_from_object.rotation * Eigen::Vector3d::UnitZ();
-    thumb.tip_target = held.hand_from_object.translation +
-                       (half_thickness + tried.surface(kThumb).radius(2)) * facing;
-    tried.close(kMiddle, {}, finger, held);
-    tried.close(kIndex, {kMiddle}, finger, held);
-    tried.close(kThumb, {kIndex, kMiddle}, thumb, held);
-    const Pad pad = pad_of(hand, tried.surface(kThumb), tried.angles());
-    const Eigen::Vector3d wanted = held.hand_from_object.translation + half_thickness * facing;
-    const double miss = (pad.point - wanted).norm() + 0.02 * (1.0 + pad.facing.dot(facing));
-    if (miss < best_miss) {
-      best_miss = miss;
-      best_closing = tried;
-      best_held = held;
-    }
+    const Pinch pinch = pinch_from(bent, object);
+    if (!best || pinch.miss < best->miss) best.emplace(pinch);
   }
-  // The others only keep out of the way.
+  // The other two only keep out of the way.
   DigitGoal idle;
   idle.contact.setZero();
-  best_closing.close(kRing, {kMiddle, kThumb}, idle, best_held);
-  best_closing.close(kLittle, {kRing}, idle, best_held);
-  return {best_closing.angles(), best_held};
+  best->closing.close(kRing, {kMiddle, kThumb}, idle, best->held);
+  best->closing.close(kLittle, {kRing}, idle, best->held);
+  return {best->closing.angles(), best->held};
 }
 
 // Objects are their own mirror images, so only where they lie changes.

@@ -72,7 +72,10 @@ TEST(Grasps, ThumbStandsAgainstTheFingers) {
       Eigen::Vector3d fingers =
           grasp.held.object_from_hand() * (0.5 * (keypoints[4 + joint] + keypoints[8 + joint]));
       if (kind == SimulatedGrasp::cylinder) thumb.z() = fingers.z() = 0.0;
-      EXPECT_LT(thumb.normalized().dot(fingers.normalized()), 0.3)
+      if (kind == SimulatedGrasp::pinch) thumb.head<2>() = fingers.head<2>().setZero();
+      // A ball may lie between palm, fingers and the side of the thumb.
+      const double most = kind == SimulatedGrasp::sphere ? 0.6 : 0.3;
+      EXPECT_LT(thumb.normalized().dot(fingers.normalized()), most)
           << simulated_grasp_name(kind) << " " << seed;
     }
   }

@@ -30,7 +30,7 @@ class EmptyRoom {
       clutter.size = random.uniform(0.08, 0.25);
       clutter.height = random.uniform(0.02, 0.06);
     }
-    object_ = mean_ * random.uniform(1.0, 1.02);
+    object_ = radiance(0.5 * width_, 0.5 * height_) * random.uniform(1.0, 1.02);
     corner_loss_ = random.uniform(0.1, 0.2);
   }
 

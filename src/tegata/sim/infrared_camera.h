@@ -30,9 +30,10 @@ struct InfraredSensor {
 };
 
 /// The picture of the scene: skin at about 0.7 before a room at about 0.25 with slow gradients and
-/// lukewarm clutter, the object within 2 % of the room's mean level and in front of what it hides;
-/// edges antialiased by 4 x 4 samples a pixel, then blurred (0.9 px), darkened towards the corners
-/// (10 to 20 %), noised (1 % of the range) and quantised. Throws Error on other bits than 8 or 16.
+/// lukewarm clutter, the object within 2 % of what is in the picture's middle, and hiding what is
+/// behind it; edges antialiased by 4 x 4 samples a pixel, then blurred (0.9 px), darkened towards
+/// the corners (10 to 20 %), noised (1 % of the range) and quantised. Throws Error on other bits
+/// than 8 or 16.
 CameraImage infrared_picture(const RoomScene& scene, const Camera& camera,
                              const InfraredSensor& sensor);
 

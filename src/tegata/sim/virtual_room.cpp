@@ -3,6 +3,7 @@
 #include "tegata/sim/virtual_room.h"
 
 #include <array>
+#include <cmath>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -171,6 +172,9 @@ void check_options(const HandModel& hand, const SimulationOptions& options) {
   }
   if (options.frame_count < 1) {
     throw Error("simulated take: got ", options.frame_count, " frames, expected 1 or more");
+  }
+  if (!std::isfinite(options.turn_deg)) {
+    throw Error("simulated take: got a turn of ", options.turn_deg, " degrees, expected a number");
   }
   if (options.bits != 8 && options.bits != 16) {
     throw Error("simulated take: got ", options.bits, " bits a pixel, expected 8 or 16");

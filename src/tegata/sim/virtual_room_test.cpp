@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -243,6 +244,9 @@ TEST(VirtualRoom, WhatCannotBeDoneIsAnErrorAndLeavesNothingBehind) {
   options = small_options();
   options.bits = 10;
   EXPECT_TRUE(says(message_of(options), "10 bits"));
+  options = small_options();
+  options.turn_deg = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(says(message_of(options), "turn of nan"));
   options = small_options();
   options.width = -3;
   EXPECT_TRUE(says(message_of(options), "-3 x 120"));
