@@ -23,7 +23,7 @@ class LatticeMap {
   /// The value of a point; the reference stays valid.
   T& operator[](const LatticeIndex& index) {
     const LatticeIndex brick = {index[0] >> kBits, index[1] >> kBits, index[2] >> kBits};
-    if (last_ == nullptr || last_->position != brick) last_ = &find(brick);
+    if (last_ == nullptr || !same(last_->position, brick)) last_ = &find(brick);
     constexpr std::int32_t kMask = (1 << kBits) - 1;
     return last_->values[static_cast<std::size_t>(
         (((index[2] & kMask) << kBits | (index[1] & kMask)) << kBits) | (index[0] & kMask))];
@@ -37,6 +37,11 @@ class LatticeMap {
     std::array<T, std::size_t{1} << (3 * kBits)> values;
   };
 
+  // What == of arrays does, without a call of memcmp.
+  static bool same(const LatticeIndex& a, const LatticeIndex& b) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+  }
+
   // The slot that holds the brick, or the free one where it belongs.
   std::size_t slot_of(const LatticeIndex& position) const {
     std::uint64_t hash = 0;
@@ -44,7 +49,7 @@ class LatticeMap {
       hash = (hash ^ static_cast<std::uint32_t>(coordinate)) * 0x9E3779B97F4A7C15u;
     }
     std::size_t slot = static_cast<std::size_t>(hash >> 32) & (slots_.size() - 1);
-    while (slots_[slot] != kNone && bricks_[slots_[slot]].position != position) {
+    while (slots_[slot] != kNone && !same(bricks_[slots_[slot]].position, position)) {
       slot = (slot + 1) & (slots_.size() - 1);
     }
     return slot;

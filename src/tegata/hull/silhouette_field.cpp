@@ -37,22 +37,26 @@ void check_view(const HullView& view) {
   }
 }
 
-void check_options(const HullOptions& options, std::size_t view_count) {
+// How many views must see a point. Throws Error where the options do not suit so many views.
+std::size_t resolve_least_views(const HullOptions& options, std::size_t view_count) {
   if (!(options.voxel_size > 0.0) || !std::isfinite(options.voxel_size)) {
     throw Error("hull: got voxel_size = ", options.voxel_size, " m, expected a positive size");
   }
-  if (options.least_views < 1) {
-    throw Error("hull: got least_views = ", options.least_views, ", expected 1 or more");
+  if (view_count < 2) {
+    throw Error("hull: got ", view_count, " views, expected 2 or more");
   }
-  if (static_cast<std::size_t>(options.least_views) > view_count) {
-    throw Error("hull: got ", view_count, " views, expected least_views = ", options.least_views,
-                " or more");
+  const int count = static_cast<int>(view_count);
+  const int least = options.least_views == 0 ? std::max(2, count / 2 + 1) : options.least_views;
+  if (least < 1 || least > count) {
+    throw Error("hull: got least_views = ", least, ", expected 1 to the number of views, ", count,
+                ", or 0 for more than half of them");
   }
-  const int most = std::min(options.least_views - 1, kMostDissentingViews);
+  const int most = std::min(least - 1, kMostDissentingViews);
   if (options.dissenting_views < 0 || options.dissenting_views > most) {
     throw Error("hull: got dissenting_views = ", options.dissenting_views, ", expected 0 to ", most,
-                ": fewer than least_views = ", options.least_views);
+                ": fewer than the ", least, " views that must see a point");
   }
+  return static_cast<std::size_t>(least);
 }
 
 // The box of all pixels that are not background. Rows are searched from both ends.
@@ -75,10 +79,9 @@ Eigen::AlignedBox2i foreground_box(const Silhouette& silhouette) {
 }  // namespace
 
 SilhouetteField::SilhouetteField(const std::vector<HullView>& views, const HullOptions& options)
-    : dissenting_views_(static_cast<std::size_t>(std::max(options.dissenting_views, 0))),
-      least_views_(static_cast<std::size_t>(std::max(options.least_views, 1))),
+    : least_views_(resolve_least_views(options, views.size())),
+      dissenting_views_(static_cast<std::size_t>(options.dissenting_views)),
       outside_value_(-static_cast<float>(options.voxel_size)) {
-  check_options(options, views.size());
   std::string empty_views;
   std::size_t empty_count = 0;
   bool has_hand = false;
@@ -175,6 +178,19 @@ std::uint32_t SilhouetteField::count_foreground(const View& view,
          view.sums[top + left];
 }
 
+// Whether a cube lies beyond one of the four planes through the camera and the picture's sides, as
+// far as it is in front of the camera at all. `h` is its middle, homogeneous.
+bool SilhouetteField::misses_frustum(const View& view, const Eigen::Vector3d& h, double half_side) {
+  const Eigen::Matrix3d& m = view.pixel_from_world;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double last = (axis == 0 ? view.width : view.height) - 0.5;
+    const double below = h[axis] + 0.5 * h.z(), above = h[axis] - last * h.z();
+    if (below + half_side * (m.row(axis) + 0.5 * m.row(2)).cwiseAbs().sum() < 0.0) return true;
+    if (above - half_side * (m.row(axis) - last * m.row(2)).cwiseAbs().sum() > 0.0) return true;
+  }
+  return false;
+}
+
 SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen::Vector3d& center,
                                                   double half_side) {
   const Eigen::Matrix3d& m = view.pixel_from_world;
@@ -182,7 +198,9 @@ SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen:
   const double depth_reach = half_side * m.row(2).cwiseAbs().sum();
   if (h.z() + depth_reach <= 0.0) return {Verdict::blind, false};
   const double nearest = h.z() - depth_reach;
-  if (!(nearest > 0.0)) return {Verdict::undecided, false};
+  if (!(nearest > 0.0)) {
+    return {misses_frustum(view, h, half_side) ? Verdict::blind : Verdict::undecided, false};
+  }
   // For a point at center + d the pixel is off by (m0 - x m2) . d / (depth there), exactly.
   const double x = h.x() / h.z(), y = h.y() / h.z();
   const double scale = half_side / nearest;
@@ -201,7 +219,7 @@ SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen:
       Eigen::Vector2i(static_cast<int>(std::min(right, view.width - 1.0)),
                       static_cast<int>(std::min(bottom, view.height - 1.0))));
   const std::uint32_t count = count_foreground(view, pixels);
-  if (count == 0) return {sees_all ? Verdict::outside : Verdict::undecided, sees_all};
+  if (count == 0) return {sees_all ? Verdict::outside : Verdict::outside_as_far_as_seen, sees_all};
   const Eigen::Vector2i size = pixels.sizes() + Eigen::Vector2i::Ones();
   if (count != static_cast<std::uint32_t>(size.x()) * static_cast<std::uint32_t>(size.y())) {
     return {Verdict::undecided, sees_all};
@@ -211,7 +229,7 @@ SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen:
 
 Occupancy SilhouetteField::classify(const Eigen::Vector3d& center, double half_side,
                                     State& state) const {
-  std::size_t outside = 0, blind = 0, content = 0, see_all = 0;
+  std::size_t outside = 0, outside_in_part = 0, blind = 0, content = 0, see_all = 0;
   for (std::size_t i = 0; i < views_.size(); ++i) {
     const std::uint64_t bit = i < kRememberedViews ? std::uint64_t{1} << i : 0;
     Judgement judgement;
@@ -232,7 +250,10 @@ Occupancy SilhouetteField::classify(const Eigen::Vector3d& center, double half_s
         break;
       case Verdict::blind:
         state.blind |= bit;
-        if (++blind + least_views_ > views_.size()) return Occupancy::outside;
+        ++blind;
+        break;
+      case Verdict::outside_as_far_as_seen:
+        ++outside_in_part;
         break;
       case Verdict::inside:
         state.inside |= bit;
@@ -245,6 +266,11 @@ Occupancy SilhouetteField::classify(const Eigen::Vector3d& center, double half_s
         break;
     }
   }
+  // A point that survives is seen by so many views at most: of those that see background wherever
+  // they see anything, no more than may still dissent.
+  const std::size_t most_views = views_.size() - blind - outside_in_part +
+                                 std::min(outside_in_part, dissenting_views_ - outside);
+  if (most_views < least_views_) return Occupancy::outside;
   const std::size_t may_object = views_.size() - content - blind;
   return may_object <= dissenting_views_ && see_all >= least_views_ ? Occupancy::inside
                                                                     : Occupancy::mixed;

@@ -55,18 +55,26 @@ class SilhouetteField {
     Image<float> distance;            ///< signed, around the foreground
     Eigen::Vector2d distance_origin;  ///< pixel of the picture where `distance` begins
   };
-  enum class Verdict : std::uint8_t { blind, outside, inside, inside_as_far_as_seen, undecided };
+  enum class Verdict : std::uint8_t {
+    blind,
+    outside,
+    outside_as_far_as_seen,
+    inside,
+    inside_as_far_as_seen,
+    undecided
+  };
   struct Judgement {
     Verdict verdict = Verdict::undecided;
     bool sees_all = false;
   };
   static View make_view(const HullView& source);
+  static bool misses_frustum(const View& view, const Eigen::Vector3d& h, double half_side);
   static Judgement judge(const View& view, const Eigen::Vector3d& center, double half_side);
   static std::uint32_t count_foreground(const View& view, const Eigen::AlignedBox2i& pixels);
   static float distance_at(const View& view, double x, double y);
 
   std::vector<View> views_;
-  std::size_t dissenting_views_ = 0, least_views_ = 2;
+  std::size_t least_views_ = 2, dissenting_views_ = 0;
   float outside_value_ = -1.0f;
 };
 

@@ -19,9 +19,12 @@ struct HullView {
 };
 
 struct HullOptions {
-  double voxel_size = 0.002;          ///< of the finest cells [m]
-  int dissenting_views = 0;           ///< a point survives so many views that see background there
-  int least_views = 2;                ///< a point that fewer views see is outside
+  double voxel_size = 0.002;  ///< of the finest cells [m]
+  /// A point survives so many views that see background there; fewer than least_views, at most 15.
+  int dissenting_views = 0;
+  /// A point that fewer views see is outside. 0: more than half of the views, and at least 2; with
+  /// fewer, the space between two cameras that face each other fills with what only they see.
+  int least_views = 0;
   std::size_t triangle_count = 4000;  ///< after simplification; 0: as it comes
   double smallest_component = 0.05;   ///< pieces with a smaller share of the largest are dropped
 };
