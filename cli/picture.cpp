@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "command.h"
 #include "progress.h"
@@ -20,12 +23,21 @@ namespace {
 
 constexpr Colour kPaper = {250, 250, 248};
 constexpr Colour kSkin = {214, 160, 126};
+constexpr int kGutter = 6;          // between pictures [px]
+constexpr int kAnyWidth = 1 << 30;  // of overlays that are cut out afterwards
 
 struct Arguments {
   std::string result, take, picture, hand_file;
   std::size_t frames = 4;
   int width = 320;
+  bool whole = false;
   CommonOptions common;
+};
+
+/// A square part of a picture: its top left corner and its side [px], which may reach beyond the
+/// picture.
+struct Window {
+  double left = 0.0, top = 0.0, side = 0.0;
 };
 
 CameraImage blank(int width, int height) {
@@ -42,20 +54,20 @@ CameraImage blank(int width, int height) {
 }
 
 /// A camera that sees the hand from between the rig's cameras, filling most of a square picture.
-Camera viewpoint(const CameraRig& rig, const ResultFrame& frame, int width) {
-  Eigen::Vector3d hand = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& keypoint : frame.keypoints) hand += keypoint / kKeypointCount;
+Camera viewpoint(const CameraRig& rig, const TriangleMesh& hand, int width) {
+  const Eigen::AlignedBox3d box = bounding_box(hand);
+  const Eigen::Vector3d center = box.center();
   double radius = 0.0;
-  for (const Eigen::Vector3d& keypoint : frame.keypoints) {
-    radius = std::max(radius, (keypoint - hand).norm());
+  for (const Eigen::Vector3d& vertex : hand.vertices) {
+    radius = std::max(radius, (vertex - center).norm());
   }
   Eigen::Vector3d towards = Eigen::Vector3d::Zero(), down = Eigen::Vector3d::Zero();
   for (const Camera& camera : rig) {
-    towards += (camera.center_in_world() - hand).normalized();
+    towards += (camera.center_in_world() - center).normalized();
     down += camera.camera_from_world.rotation.conjugate() * Eigen::Vector3d::UnitY();
   }
   // Cameras all around cancel out: then any of their directions is as good.
-  if (towards.norm() < 0.1) towards = rig.front().center_in_world() - hand;
+  if (towards.norm() < 0.1) towards = rig.front().center_in_world() - center;
   const Eigen::Vector3d z = -towards.normalized();
   if (down.cross(z).norm() < 0.1) down = z.unitOrthogonal();
   const Eigen::Vector3d x = down.cross(z).normalized();
@@ -66,35 +78,80 @@ Camera viewpoint(const CameraRig& rig, const ResultFrame& frame, int width) {
   Camera camera;
   camera.name = "viewpoint";
   camera.width = camera.height = width;
-  camera.fx = camera.fy = 0.4 * width * kDistanceInRadii;
+  camera.fx = camera.fy = 0.45 * width * kDistanceInRadii;
   camera.cx = camera.cy = 0.5 * (width - 1);
   camera.camera_from_world.rotation = Eigen::Quaterniond(rotation);
-  camera.camera_from_world.translation = -(rotation * (hand - kDistanceInRadii * radius * z));
+  camera.camera_from_world.translation = -(rotation * (center - kDistanceInRadii * radius * z));
   return camera;
+}
+
+/// What a camera's picture shows of the hand's surroundings.
+Window around_hand(const Camera& camera, const TriangleMesh& hand) {
+  constexpr double kMargin = 1.35;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& vertex : hand.vertices) {
+    const std::optional<Eigen::Vector2d> pixel = project(camera, vertex);
+    if (pixel) box.extend(*pixel);
+  }
+  if (box.isEmpty()) return {0.0, 0.0, static_cast<double>(camera.width)};
+  const double side = kMargin * box.sizes().maxCoeff();
+  return {box.center().x() - 0.5 * side, box.center().y() - 0.5 * side, side};
+}
+
+/// Bilinear between the centres of pixels; the position must lie between them.
+std::uint16_t sampled(const Image<std::uint16_t>& image, double x, double y, int channel) {
+  const int left = std::min(static_cast<int>(x), std::max(0, image.width() - 2));
+  const int top = std::min(static_cast<int>(y), std::max(0, image.height() - 2));
+  const int right = std::min(left + 1, image.width() - 1);
+  const int bottom = std::min(top + 1, image.height() - 1);
+  const double u = x - left, v = y - top;
+  const double upper = (1.0 - u) * image(left, top, channel) + u * image(right, top, channel);
+  const double lower = (1.0 - u) * image(left, bottom, channel) + u * image(right, bottom, channel);
+  return static_cast<std::uint16_t>(std::lround((1.0 - v) * upper + v * lower));
+}
+
+/// The part of a picture in a window, `width` pixels wide and high, and a gutter right and below.
+CameraImage cut_out(const CameraImage& picture, const Window& window, int width) {
+  CameraImage cut = blank(width + kGutter, width + kGutter);
+  const auto last_x = static_cast<double>(picture.values.width() - 1);
+  const auto last_y = static_cast<double>(picture.values.height() - 1);
+  const double scale = window.side / width;
+  for (int y = 0; y < width; ++y) {
+    const double from_y = std::clamp(window.top + (y + 0.5) * scale, 0.0, last_y);
+    for (int x = 0; x < width; ++x) {
+      const double from_x = std::clamp(window.left + (x + 0.5) * scale, 0.0, last_x);
+      for (int c = 0; c < 3; ++c) cut.values(x, y, c) = sampled(picture.values, from_x, from_y, c);
+    }
+  }
+  return cut;
 }
 
 /// One row a frame: a picture of each camera, then the fitted hand alone.
 std::vector<CameraImage> draw_rows(const std::vector<Overlay>& overlays, const CameraRig& rig,
-                                   const Result& result, const HandModel& hand) {
+                                   const Result& result, const HandModel& hand,
+                                   const Arguments& arguments) {
   std::map<std::string, std::map<std::string, const Overlay*>> by_frame;
-  int height = 1;
-  for (const Overlay& overlay : overlays) {
-    by_frame[overlay.frame][overlay.camera] = &overlay;
-    height = std::max(height, overlay.picture.values.height());
-  }
+  for (const Overlay& overlay : overlays) by_frame[overlay.frame][overlay.camera] = &overlay;
   std::vector<CameraImage> pictures;
   for (const ResultFrame& frame : result.frames) {
-    if (!by_frame.contains(frame.name)) continue;
+    if (!frame.pose || !by_frame.contains(frame.name)) continue;
     const auto& row = by_frame.at(frame.name);
+    const TriangleMesh surface = PosedHand(hand, *frame.pose).surface();
+    int height = arguments.width;
     for (const Camera& camera : rig) {
       const auto overlay = row.find(camera.name);
-      pictures.push_back(overlay == row.end() ? blank(1, 1) : overlay->second->picture);
+      if (overlay == row.end()) {
+        pictures.push_back(blank(1, 1));
+      } else if (arguments.whole) {
+        pictures.push_back(overlay->second->picture);
+        height = std::min(height, pictures.back().values.height());
+      } else {
+        pictures.push_back(
+            cut_out(overlay->second->picture, around_hand(camera, surface), arguments.width));
+      }
     }
     pictures.push_back(blank(height, height));
-    if (frame.pose) {
-      draw_shaded(pictures.back(), PosedHand(hand, *frame.pose).surface(),
-                  viewpoint(rig, frame, height), kSkin);
-    }
+    draw_shaded(pictures.back(), surface, viewpoint(rig, surface, height), kSkin);
   }
   return pictures;
 }
@@ -110,10 +167,11 @@ void run(const Arguments& arguments) {
   std::vector<Overlay> overlays;
   {
     Progress progress(arguments.common.quiet);
-    overlays =
-        draw_overlays(take, result, hand, arguments.frames, arguments.width, progress.observer());
+    overlays = draw_overlays(take, result, hand, arguments.frames,
+                             arguments.whole ? arguments.width : kAnyWidth, progress.observer());
   }
-  const std::vector<CameraImage> pictures = draw_rows(overlays, take.rig(), result, hand);
+  const std::vector<CameraImage> pictures =
+      draw_rows(overlays, take.rig(), result, hand, arguments);
   if (pictures.empty()) throw Error(arguments.result, ": no frame of the result has a picture");
   const int columns = static_cast<int>(take.rig().size()) + 1;
   write_picture(contact_sheet(pictures, columns, kPaper), arguments.picture);
@@ -142,9 +200,13 @@ void add_picture_command(CLI::App& program) {
   command->add_option("--frames", arguments->frames, "Rows, spread evenly over the frames")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command->add_option("--width", arguments->width, "Most pixels of a camera's picture in width")
+  command
+      ->add_option("--width", arguments->width,
+                   "Pixels of a camera's picture in width, with --whole at most")
       ->check(CLI::Range(16, 16384))
       ->capture_default_str();
+  command->add_flag("--whole", arguments->whole,
+                    "Whole pictures instead of what is around the hand");
   add_common_options(*command, arguments->common);
   command->footer("Example: tegata picture demo/result --take demo/take -o demo/picture.png");
   command->callback([arguments] { run(*arguments); });

@@ -68,7 +68,7 @@ TEST_F(FormatsDocument, ResultSnippetIsRead) {
 }
 
 TEST_F(FormatsDocument, TruthSnippetIsRead) {
-  const Truth truth = read_truth_json(file_of("json", "{\"side\""));
+  const Truth truth = read_truth_json(file_of("json", "{\"format\": \"tegata-truth\""));
   ASSERT_EQ(truth.frames.size(), 1u);
   EXPECT_TRUE(truth.frames[0].angles.has_value());
 }
