@@ -102,6 +102,8 @@ class SkinTint {
     luminance_ = median(std::move(luminance[1]));
   }
 
+  // Beige card and wood come up to 9 per cent, pale skin in bright light begins at 11.
+  bool is_skin() const { return std::hypot(step_.cr, step_.cb) > 10.0; }
   // Half way or more from the room's tint to the skin's, not far aside, and no darker than shadow.
   bool has(const Tint& tint) const {
     const double squared = step_.cr * step_.cr + step_.cb * step_.cb;
@@ -139,6 +141,10 @@ Silhouette segment_skin(const CameraImage& picture, const SkinOptions& options,
   clean(silhouette, narrow);
   for (int round = 0; round < kRounds; ++round) {
     const SkinTint skin(colours, silhouette);
+    if (!skin.is_skin()) {
+      silhouette = Silhouette(colours.width(), colours.height(), PixelLabel::background);
+      break;
+    }
     silhouette = select(colours, [&](const Tint& tint) { return skin.has(tint); });
     clean(silhouette, narrow);
   }
