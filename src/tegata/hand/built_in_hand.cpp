@@ -38,7 +38,7 @@ HandModel built_in_hand(const HandShape& shape, Side side, const BuiltInHandOpti
   HandModel model;
   model.name = "built-in";
   model.skeleton = right_skeleton(shape);
-  model.rest_angles = meshing_angles();
+  model.rest_angles = meshing_angles(shape);
   model.rest_surface = meshed(HandSolid(shape, model.skeleton, model.rest_angles), options);
   const BoneSegments segments = bone_segments(model.skeleton, model.rest_angles,
                                               shape.forearm_length, 0.35 * shape.palm_breadth);

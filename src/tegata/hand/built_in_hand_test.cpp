@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
 
 #include "tegata/base/error.h"
 #include "tegata/hand/hand_solid.h"
@@ -28,6 +29,22 @@ TEST(BuiltInHand, SurfaceIsClosedOnePieceWithoutHandles) {
   EXPECT_EQ(topology.component_count, 1);
   EXPECT_EQ(topology.euler_number, 2) << "fingers have grown together";
   EXPECT_GT(enclosed_volume(mean_hand().rest_surface), 0.0) << "inside out";
+}
+
+TEST(BuiltInHand, SlenderAndStockyHandsHaveNoHandlesEither) {
+  for (const auto& [length, breadth, thickness] :
+       {std::tuple(0.21, 0.078, 0.85), std::tuple(0.168, 0.09, 1.2),
+        std::tuple(0.189, 0.084, 1.3)}) {
+    HandShape shape;
+    shape.length = length;
+    shape.palm_breadth = breadth;
+    shape.finger_thickness = thickness;
+    const HandModel model = built_in_hand(shape, Side::right, {.triangle_count = 1000000});
+    const MeshTopology topology = inspect_topology(model.rest_surface);
+    EXPECT_TRUE(topology.closed && topology.manifold);
+    EXPECT_EQ(topology.component_count, 1);
+    EXPECT_EQ(topology.euler_number, 2) << length << ' ' << breadth << ' ' << thickness;
+  }
 }
 
 TEST(BuiltInHand, SizesAreThoseOfTheShape) {

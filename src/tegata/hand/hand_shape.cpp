@@ -9,6 +9,7 @@
 #include "tegata/hand/hand_shape.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -104,17 +105,20 @@ Skeleton right_skeleton(const HandShape& shape) {
   return skeleton;
 }
 
-const JointAngles& meshing_angles() {
-  static const JointAngles angles = [] {
-    JointAngles degrees;
-    degrees << 25.0, 0.0, 12.0, 12.0,  // thumb
-        7.0, 14.0, 20.0, 10.0,         // index
-        0.0, 14.0, 20.0, 10.0,         // middle
-        7.0, 14.0, 20.0, 10.0,         // ring
-        11.0, 14.0, 20.0, 10.0;        // little
-    return JointAngles(degrees * kDegree);
-  }();
-  return angles;
+JointAngles meshing_angles(const HandShape& shape) {
+  JointAngles degrees;
+  degrees << 25.0, 0.0, 12.0, 12.0,  // thumb
+      10.0, 14.0, 20.0, 10.0,        // index
+      0.0, 14.0, 20.0, 10.0,         // middle
+      10.0, 14.0, 20.0, 10.0,        // ring
+      16.0, 14.0, 20.0, 10.0;        // little
+  // How thick the fingers are for their length, against the mean hand.
+  const HandShape mean;
+  const double thickness = shape.finger_thickness * (shape.palm_breadth / mean.palm_breadth) /
+                           (shape.length / mean.length);
+  const double spread = std::clamp(1.0 + 1.7 * (thickness - 1.0), 0.8, 2.0);
+  for (const int angle : {4, 12, 16}) degrees[angle] *= spread;
+  return degrees * kDegree;
 }
 
 }  // namespace tegata

@@ -36,8 +36,9 @@ struct NeutralDigit {
 /// Digits from the thumb (0) to the little finger (4).
 NeutralDigit neutral_digit(std::size_t digit);
 
-/// The angles that the built-in surface is made at: fingers spread so that they do not touch and
-/// bent a little, which is where skinning has the least way to go to either end.
-const JointAngles& meshing_angles();
+/// The angles that the built-in surface is made at: fingers spread so that they do not touch, the
+/// thicker the more, and bent a little, which is where skinning has the least way to go to either
+/// end.
+JointAngles meshing_angles(const HandShape& shape);
 
 }  // namespace tegata

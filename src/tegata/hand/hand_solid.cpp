@@ -43,16 +43,21 @@ constexpr PalmPart kPalmParts[] = {
     {0.0, 40.0, -6.0, 8.5, 0.0, 87.0, -6.5, 9.5, 1.0},
     {10.0, 36.0, -6.0, 9.0, 17.5, 80.0, -7.0, 9.0, 1.0},
     {22.0, 30.0, -7.0, 10.0, 33.0, 73.0, -9.0, 8.5, 1.0},
-    // the webs between the fingers
-    {-17.0, 94.0, -4.0, 7.5, -4.0, 96.0, -4.0, 7.5, 0.9},
-    {4.0, 95.0, -4.0, 7.5, 15.0, 90.0, -5.0, 7.5, 0.9},
-    {20.0, 88.0, -5.0, 7.0, 31.0, 81.0, -7.0, 6.5, 0.9},
     // the eminences of the little finger and, as far as it stays behind, of the thumb
     {20.0, 14.0, -8.0, 13.0, 32.0, 48.0, -8.0, 12.5, 1.0},
     {-9.0, 16.0, -10.0, 12.0, -12.0, 42.0, -8.0, 9.0, 1.0},
     // the wrist's bones
     {0.0, 2.0, -1.0, 25.0, 2.0, 26.0, -2.0, 27.0, 0.62},
 };
+
+// The webs between the fingers, which grow and move outwards with the fingers' thickness: where
+// thick fingers lean on each other there must be no hole below.
+constexpr PalmPart kWebParts[] = {
+    {-17.0, 94.0, -4.0, 7.5, -4.0, 96.0, -4.0, 7.5, 0.9},
+    {4.0, 95.0, -4.0, 7.5, 15.0, 90.0, -5.0, 7.5, 0.9},
+    {20.0, 88.0, -5.0, 7.0, 31.0, 81.0, -7.0, 6.5, 0.9},
+};
+constexpr double kWebShift = 20.0;  // [mm] outwards for a finger of twice the thickness
 
 /// A digit's half breadths in the mean hand [mm]: at its first joint, the next two and in the tip.
 /// Within the ranges of finger breadths in Greiner, Hand anthropometry of U.S. Army personnel,
@@ -111,13 +116,16 @@ void HandSolid::add_palm(const HandShape& shape) {
   const Eigen::Vector3d scale =
       kMillimetre * Eigen::Vector3d(breadth, shape.length / mean.length, thickness);
   const Eigen::Vector3d dorsal = Eigen::Vector3d::UnitZ();
-  for (const PalmPart& part : kPalmParts) {
+  const auto add = [&](const PalmPart& part, double shift, double swell) {
     palm_.emplace_back(
-        RoundedCone::Ends{scale.cwiseProduct(Eigen::Vector3d(part.ax, part.ay, part.az)),
-                          scale.cwiseProduct(Eigen::Vector3d(part.bx, part.by, part.bz)),
-                          scale.x() * part.radius_a, scale.x() * part.radius_b},
+        RoundedCone::Ends{scale.cwiseProduct(Eigen::Vector3d(part.ax, part.ay + shift, part.az)),
+                          scale.cwiseProduct(Eigen::Vector3d(part.bx, part.by + shift, part.bz)),
+                          scale.x() * swell * part.radius_a, scale.x() * swell * part.radius_b},
         dorsal, part.flatness * thickness / breadth);
-  }
+  };
+  for (const PalmPart& part : kPalmParts) add(part, 0.0, 1.0);
+  const double swell = std::max(shape.finger_thickness, 1.0);
+  for (const PalmPart& part : kWebParts) add(part, kWebShift * (swell - 1.0), swell);
   // The forearm, on past where it is cut off.
   forearm_end_ = -shape.forearm_length;
   const double wrist = 26.0 * scale.x(), beyond = forearm_end_ - wrist;

@@ -16,7 +16,9 @@ Eigen::Vector3d random_point(Random& random, const Eigen::AlignedBox3d& box) {
   return point;
 }
 
-HandSolid mean_solid() { return {HandShape(), right_skeleton(HandShape()), meshing_angles()}; }
+HandSolid mean_solid() {
+  return {HandShape(), right_skeleton(HandShape()), meshing_angles(HandShape())};
+}
 
 TEST(RoundedCone, OfEqualEndsIsTheDistanceToACapsule) {
   const RoundedCone cone({{0.0, 0.0, 0.0}, {0.0, 0.1, 0.0}, 0.01, 0.01}, Eigen::Vector3d::UnitZ(),
@@ -78,7 +80,7 @@ TEST(HandSolid, HoldsEveryJoint) {
   const Skeleton skeleton = right_skeleton(HandShape());
   const HandSolid solid = mean_solid();
   HandPose pose;
-  pose.angles = meshing_angles();
+  pose.angles = meshing_angles(HandShape());
   const auto points = posed_keypoints(skeleton, pose);
   for (std::size_t k = 0; k < kKeypointCount; ++k) {
     if (k % 4 == 0 && k > 0) {
@@ -91,12 +93,12 @@ TEST(HandSolid, HoldsEveryJoint) {
 
 TEST(HandSolid, FingersDoNotTouchWhereTheyAreMeshed) {
   const Skeleton skeleton = right_skeleton(HandShape());
-  for (const double thickness : {0.8, 1.0, 1.15}) {
+  for (const double thickness : {0.8, 1.0, 1.3}) {
     HandShape shape;
     shape.finger_thickness = thickness;
-    const HandSolid solid(shape, skeleton, meshing_angles());
+    const HandSolid solid(shape, skeleton, meshing_angles(shape));
     HandPose pose;
-    pose.angles = meshing_angles();
+    pose.angles = meshing_angles(shape);
     const auto points = posed_keypoints(skeleton, pose);
     for (std::size_t digit = 0; digit + 1 < kDigitCount; ++digit) {
       for (std::size_t i = 2; i < 5; ++i) {
