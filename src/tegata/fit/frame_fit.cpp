@@ -30,11 +30,21 @@ FitStage contour_stage(double sigma, double violation_sigma, int most_iterations
   return stage;
 }
 
+FitStage with_landmarks(FitStage stage, double weight) {
+  stage.landmarks = LandmarkTermOptions{.weight = weight};
+  return stage;
+}
+
 }  // namespace
 
-FitSchedule frame_schedule() {
-  return {{hull_stage(0.03, 12), hull_stage(0.012, 15), contour_stage(0.008, 0.016, 12),
-           contour_stage(0.003, 0.01, 15)}};
+FitSchedule hull_first_schedule() {
+  return {{with_landmarks(hull_stage(0.03, 12), 10.0), with_landmarks(hull_stage(0.012, 15), 10.0),
+           with_landmarks(contour_stage(0.008, 0.016, 12), 3.0), contour_stage(0.003, 0.01, 15)}};
+}
+
+FitSchedule contour_first_schedule() {
+  return {{with_landmarks(contour_stage(0.02, 0.03, 15), 10.0),
+           with_landmarks(contour_stage(0.008, 0.016, 12), 3.0), contour_stage(0.003, 0.01, 15)}};
 }
 
 FitSchedule grasp_schedule() {
@@ -58,25 +68,27 @@ FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& s
 
 FrameFit fit_frame_from_best(const FitHand& hand, const FitFrame& frame,
                              const std::vector<HandPose>& starts, std::size_t kept,
-                             const FitSchedule& schedule, int threads) {
-  if (starts.empty() || schedule.stages.empty()) {
-    throw Error("frame fit: got ", starts.size(), " starts and ", schedule.stages.size(),
-                " stages, expected at least one of each");
+                             const std::vector<FitSchedule>& schedules, int threads) {
+  if (starts.empty() || schedules.empty() || schedules.front().stages.empty()) {
+    throw Error("frame fit: got ", starts.size(), " starts and ", schedules.size(),
+                " schedules, expected at least one of each, and a stage");
   }
-  const auto fit_all = [&](const std::vector<HandPose>& from, const FitSchedule& stages) {
-    std::vector<FrameFit> fits(from.size());
-    parallel_for(from.size(), threads,
-                 [&](std::size_t i) { fits[i] = fit_frame(hand, frame, from[i], stages); });
+  const auto fit_all = [&](const std::vector<HandPose>& from, const std::vector<FitSchedule>& by) {
+    std::vector<FrameFit> fits(from.size() * by.size());
+    parallel_for(fits.size(), threads, [&](std::size_t i) {
+      fits[i] = fit_frame(hand, frame, from[i / by.size()], by[i % by.size()]);
+    });
     std::stable_sort(fits.begin(), fits.end(), [](const FrameFit& a, const FrameFit& b) {
       return a.report.energy < b.report.energy;
     });
     return fits;
   };
-  std::vector<FrameFit> rough = fit_all(starts, {{schedule.stages.front()}});
-  rough.resize(std::min(rough.size(), std::max<std::size_t>(kept, 1)));
+  if (starts.size() <= kept) return fit_all(starts, schedules).front();
   std::vector<HandPose> best;
-  for (const FrameFit& fit : rough) best.push_back(fit.pose);
-  return fit_all(best, schedule).front();
+  for (const FrameFit& fit : fit_all(starts, {{{schedules.front().stages.front()}}})) {
+    if (best.size() < std::max<std::size_t>(kept, 1)) best.push_back(fit.pose);
+  }
+  return fit_all(best, schedules).front();
 }
 
 }  // namespace tegata

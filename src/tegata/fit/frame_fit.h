@@ -13,7 +13,10 @@ struct FitSchedule {
   std::vector<FitStage> stages;
 };
 /// Hull alone from far away, then hull and contours, then contours with the hull as a hint.
-FitSchedule frame_schedule();
+FitSchedule hull_first_schedule();
+/// Contours from the beginning: for frames in which something cold has eaten the fingers, so that
+/// the hull lacks them. Ends with the same stage as the other.
+FitSchedule contour_first_schedule();
 /// For estimates that are already near.
 FitSchedule grasp_schedule();
 
@@ -27,10 +30,11 @@ struct FrameFit {
 FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& start,
                    const FitSchedule& schedule);
 
-/// Fits one frame from each of several starts: all go through the first stage, the `kept` best of
-/// them through all; the one of the lowest energy wins.
+/// Fits one frame from several starts through several schedules that end with the same stage; the
+/// lowest energy wins. Of more than `kept` starts only the best are followed after the first stage
+/// of the first schedule.
 FrameFit fit_frame_from_best(const FitHand& hand, const FitFrame& frame,
                              const std::vector<HandPose>& starts, std::size_t kept,
-                             const FitSchedule& schedule, int threads);
+                             const std::vector<FitSchedule>& schedules, int threads);
 
 }  // namespace tegata

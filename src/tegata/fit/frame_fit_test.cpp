@@ -20,14 +20,15 @@ TEST(FrameFit, TheBestOfSeveralStartsWins) {
   const FitHand fit_hand(hand);
   for (const auto& starts :
        {std::vector<HandPose>{upside_down, truth}, std::vector<HandPose>{truth, upside_down}}) {
-    const FrameFit fit = fit_frame_from_best(fit_hand, frame, starts, 1, frame_schedule(), 2);
+    const FrameFit fit =
+        fit_frame_from_best(fit_hand, frame, starts, 1, {hull_first_schedule()}, 2);
     EXPECT_LT(test::mean_keypoint_distance(hand, fit.pose, truth), 0.002);
   }
 }
 
 TEST(FrameFit, RefusesNoStartAndNoStage) {
   const FitHand hand(test::coarse_hand());
-  EXPECT_THROW(fit_frame_from_best(hand, {}, {}, 1, frame_schedule(), 1), Error);
+  EXPECT_THROW(fit_frame_from_best(hand, {}, {}, 1, {hull_first_schedule()}, 1), Error);
   EXPECT_THROW(fit_frame_from_best(hand, {}, {HandPose{}}, 1, {}, 1), Error);
 }
 

@@ -5,21 +5,31 @@
 #include <algorithm>
 
 #include "tegata/base/error.h"
+#include "tegata/base/parallel.h"
 #include "tegata/base/stopwatch.h"
 
 namespace tegata {
 namespace {
 
-// How many of the starts are followed to the end.
-constexpr std::size_t kKeptStarts = 4;
+// How many of the first frame's starts are followed to the end.
+constexpr std::size_t kKeptStarts = 6;
+// A frame whose energy is so many times the median of all frames is sought anew.
+constexpr double kSuspectEnergyRatio = 1.3;
+// How far the angles may leave what is known of them [rad], stage by stage: a turning hand is first
+// followed nearly stiff, as nothing else moves the fingers' surfaces as far. After the last entry
+// the last one holds.
+constexpr double kFixedDeviations[] = {0.03, 0.06, 0.1, 0.15};
+constexpr double kFreeDeviations[] = {0.1, 0.15, 0.2, 0.3};
+constexpr double kKnownDeviations[] = {0.02, 0.02, 0.02, 0.02};
 
-std::vector<HandPose> first_starts(const FitHand& hand, const TriangleMesh& hull,
-                                   const std::optional<StartLandmarks>& landmarks,
-                                   int orientations) {
+using Deviations = std::span<const double, 4>;
+
+std::vector<HandPose> first_starts(const FitHand& hand, const FitFrame& frame,
+                                   const TriangleMesh& hull, int orientations) {
   const Skeleton& skeleton = hand.model->skeleton;
   const std::vector<Rigid3d> poses =
-      landmarks ? std::vector<Rigid3d>{pose_from_landmarks(skeleton, *landmarks)}
-                : poses_around(skeleton, hull, orientations);
+      frame.landmarks ? std::vector<Rigid3d>{pose_from_landmarks(skeleton, *frame.landmarks)}
+                      : poses_around(skeleton, hull, orientations);
   std::vector<HandPose> starts;
   for (const Rigid3d& pose : poses) {
     for (const JointAngles& angles : typical_angles()) starts.push_back({pose, angles});
@@ -33,10 +43,27 @@ Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last) {
   return {(turn * last.rotation).normalized(), 2.0 * last.translation - before.translation};
 }
 
+std::vector<FitSchedule> holding(std::vector<FitSchedule> schedules, const JointAngles& angles,
+                                 Deviations deviations) {
+  for (FitSchedule& schedule : schedules) {
+    // Schedules may differ in length but end alike, so the stages are counted from the end.
+    const std::size_t count = schedule.stages.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t from_end = std::min(count - 1 - i, deviations.size() - 1);
+      schedule.stages[i].prior.previous = angles;
+      schedule.stages[i].prior.previous_standard_deviation =
+          deviations[deviations.size() - 1 - from_end];
+    }
+  }
+  return schedules;
+}
+
 // The fits of all frames one after the other, each started from the one before.
 std::vector<FrameFit> fit_in_order(const FitHand& hand, std::span<const FitFrame* const> frames,
                                    const std::vector<HandPose>& starts,
                                    const GraspFitOptions& options, const Observer& observer) {
+  const Deviations deviations =
+      options.grasp == GraspConstraint::free ? Deviations(kFreeDeviations) : kFixedDeviations;
   std::vector<FrameFit> fits;
   for (const FitFrame* frame : frames) {
     observer.progress("frames", fits.size(), frames.size());
@@ -51,45 +78,85 @@ std::vector<FrameFit> fit_in_order(const FitHand& hand, std::span<const FitFrame
       const HandPose& before = fits[fits.size() - 2].pose;
       next.push_back({extrapolated(before.world_from_hand, last.world_from_hand), last.angles});
     }
-    FitSchedule schedule = options.frame;
-    for (FitStage& stage : schedule.stages) stage.prior.previous = last.angles;
-    fits.push_back(fit_frame_from_best(hand, *frame, next, next.size(), schedule, options.threads));
+    fits.push_back(fit_frame_from_best(hand, *frame, next, next.size(),
+                                       holding(options.frame, last.angles, deviations),
+                                       options.threads));
   }
   observer.progress("frames", frames.size(), frames.size());
   return fits;
 }
 
-JointAngles median_angles(const std::vector<FrameFit>& fits) {
-  JointAngles median;
-  std::vector<double> values(fits.size());
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+HandEstimate median_estimate(const std::vector<FrameFit>& fits) {
+  HandEstimate estimate;
   for (int k = 0; k < kAngleCount; ++k) {
-    std::transform(fits.begin(), fits.end(), values.begin(),
-                   [k](const FrameFit& fit) { return fit.pose.angles[k]; });
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    median[k] = *middle;
+    std::vector<double> values;
+    for (const FrameFit& fit : fits) values.push_back(fit.pose.angles[k]);
+    estimate.angles[k] = median(std::move(values));
   }
-  return median;
+  for (const FrameFit& fit : fits) estimate.world_from_hand.push_back(fit.pose.world_from_hand);
+  return estimate;
 }
 
 JointAngles standard_deviations(const SolverReport& report) {
   return report.angle_covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
+SolverReport fit_together(const FitHand& hand, std::span<const FitFrame* const> frames,
+                          const GraspFitOptions& options, HandEstimate& estimate) {
+  SolverReport report;
+  int iterations = 0;
+  for (const FitStage& stage : options.all_frames.stages) {
+    report = minimise(hand, frames, stage, options.threads, estimate);
+    iterations += report.iterations;
+  }
+  report.iterations = iterations;
+  return report;
+}
+
+// Seeks the frames that fit worse than most anew, with the angles known, from their neighbours'
+// poses. True where any was found elsewhere.
+bool seek_suspects(const FitHand& hand, std::span<const FitFrame* const> frames,
+                   const std::vector<double>& energies, const GraspFitOptions& options,
+                   HandEstimate& estimate) {
+  const double limit = kSuspectEnergyRatio * median(energies);
+  const std::vector<FitSchedule> schedules =
+      holding(options.frame, estimate.angles, kKnownDeviations);
+  bool is_any_elsewhere = false;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    if (energies[f] <= limit) continue;
+    std::vector<HandPose> starts = {estimate.pose(f)};
+    if (f > 0) starts.push_back(estimate.pose(f - 1));
+    if (f + 1 < frames.size()) starts.push_back(estimate.pose(f + 1));
+    const Rigid3d found =
+        fit_frame_from_best(hand, *frames[f], starts, starts.size(), schedules, options.threads)
+            .pose.world_from_hand;
+    constexpr double kElsewhere = 0.1;  // [rad]
+    if (found.rotation.angularDistance(estimate.world_from_hand[f].rotation) > kElsewhere) {
+      estimate.world_from_hand[f] = found;
+      is_any_elsewhere = true;
+    }
+  }
+  return is_any_elsewhere;
+}
+
 void fit_all_frames(const FitHand& hand, std::span<const FitFrame* const> frames,
                     const std::vector<FrameFit>& fits, const GraspFitOptions& options,
                     GraspFit& grasp) {
-  HandEstimate estimate;
-  estimate.angles = median_angles(fits);
-  for (const FrameFit& fit : fits) {
-    estimate.world_from_hand.push_back(fit.pose.world_from_hand);
-  }
-  for (const FitStage& stage : options.all_frames.stages) {
-    const SolverReport report = minimise(hand, frames, stage, options.threads, estimate);
+  HandEstimate estimate = median_estimate(fits);
+  SolverReport report = fit_together(hand, frames, options, estimate);
+  grasp.iterations = report.iterations;
+  if (seek_suspects(hand, frames, report.frame_energies, options, estimate)) {
+    report = fit_together(hand, frames, options, estimate);
     grasp.iterations += report.iterations;
-    grasp.termination = report.termination;
-    grasp.standard_deviations = standard_deviations(report);
   }
+  grasp.termination = report.termination;
+  grasp.standard_deviations = standard_deviations(report);
   grasp.angles = estimate.angles;
   for (std::size_t f = 0; f < frames.size(); ++f) grasp.poses.push_back(estimate.pose(f));
 }
@@ -116,8 +183,8 @@ void keep_frames_free(const std::vector<FrameFit>& fits, GraspFit& grasp) {
 }  // namespace
 
 GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
-                   const TriangleMesh& first_hull, const std::optional<StartLandmarks>& landmarks,
-                   const GraspFitOptions& options, const Observer& observer) {
+                   const TriangleMesh& first_hull, const GraspFitOptions& options,
+                   const Observer& observer) {
   if (frames.empty()) throw Error("grasp fit: got no frame, expected at least one");
   for (const FitFrame* frame : frames) {
     if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
@@ -125,8 +192,8 @@ GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
   GraspFit grasp;
   const Stopwatch frame_watch;
   const std::vector<FrameFit> fits = fit_in_order(
-      hand, frames, first_starts(hand, first_hull, landmarks, options.start_orientations), options,
-      observer);
+      hand, frames, first_starts(hand, *frames.front(), first_hull, options.start_orientations),
+      options, observer);
   grasp.frame_seconds = frame_watch.seconds();
   const Stopwatch grasp_watch;
   if (options.grasp == GraspConstraint::free) {

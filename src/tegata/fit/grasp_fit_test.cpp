@@ -35,11 +35,11 @@ StartLandmarks rough_landmarks(const HandPose& truth) {
 }
 
 TEST(GraspFit, FollowsATurningHandFromRoughLandmarks) {
-  const Scene scene = turning_hand(3);
+  Scene scene = turning_hand(3);
   const HandModel& hand = test::coarse_hand();
+  scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
   const GraspFit fit =
-      fit_grasp(FitHand(hand), scene.pointers, PosedHand(hand, scene.truth[0]).surface(),
-                rough_landmarks(scene.truth[0]), {}, {});
+      fit_grasp(FitHand(hand), scene.pointers, PosedHand(hand, scene.truth[0]).surface(), {}, {});
   ASSERT_EQ(fit.poses.size(), 3U);
   for (std::size_t f = 0; f < 3; ++f) {
     EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[f], scene.truth[f]), 0.002) << f;
@@ -53,11 +53,11 @@ TEST(GraspFit, FreeFramesKeepAnglesOfTheirOwn) {
   const HandModel& hand = test::coarse_hand();
   scene.truth[1].angles[5] += 0.3;
   scene.frames[1] = test::perfect_frame(hand, scene.truth[1], test::orthogonal_rig(0.8));
+  scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
   GraspFitOptions options;
   options.grasp = GraspConstraint::free;
-  const GraspFit fit =
-      fit_grasp(FitHand(hand), scene.pointers, PosedHand(hand, scene.truth[0]).surface(),
-                rough_landmarks(scene.truth[0]), options, {});
+  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers,
+                                 PosedHand(hand, scene.truth[0]).surface(), options, {});
   EXPECT_GT(fit.poses[1].angles[5] - fit.poses[0].angles[5], 0.1);
 }
 
@@ -71,10 +71,10 @@ TEST(GraspFit, StartsWithoutLandmarks) {
 
 TEST(GraspFit, RefusesNoFramesAndFramesWithoutAHull) {
   const FitHand hand(test::coarse_hand());
-  EXPECT_THROW(fit_grasp(hand, {}, {}, std::nullopt, {}, {}), Error);
+  EXPECT_THROW(fit_grasp(hand, {}, {}, {}, {}), Error);
   const FitFrame without_hull;
   const FitFrame* const frames[] = {&without_hull};
-  EXPECT_THROW(fit_grasp(hand, frames, {}, std::nullopt, {}, {}), Error);
+  EXPECT_THROW(fit_grasp(hand, frames, {}, {}, {}), Error);
 }
 
 }  // namespace

@@ -44,6 +44,9 @@ Linearisation linearise(const FitHand& hand, std::span<const FitFrame* const> fr
         add_contour_term(hand, posed, view, *stage.contour, equations);
       }
     }
+    if (stage.landmarks && frames[f]->landmarks) {
+      add_landmark_term(hand, posed, *frames[f]->landmarks, *stage.landmarks, equations);
+    }
   });
   add_prior_term(estimate.angles, stage.prior, result.prior);
   return result;
@@ -126,6 +129,7 @@ SolverReport minimise(const FitHand& hand, std::span<const FitFrame* const> fram
     }
   }
   report.energy = current.energy();
+  for (const FrameEquations& frame : current.frames) report.frame_energies.push_back(frame.cost);
   report.angle_covariance = ArrowSystem(current.frames, current.prior).angle_covariance();
   return report;
 }

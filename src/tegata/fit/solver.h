@@ -10,16 +10,18 @@
 #include "tegata/fit/contour_term.h"
 #include "tegata/fit/fit_hand.h"
 #include "tegata/fit/hull_term.h"
+#include "tegata/fit/landmark_term.h"
 #include "tegata/fit/normal_equations.h"
 #include "tegata/fit/prior_term.h"
 #include "tegata/fit/view.h"
 
 namespace tegata {
 
-/// What the cameras gave of one moment. A frame may lack the hull (then only contours count).
+/// What is known of one moment. A frame may lack the hull (then only contours count).
 struct FitFrame {
   std::vector<FitView> views;
   std::optional<HullTarget> hull;
+  std::optional<StartLandmarks> landmarks;
 };
 
 /// One set of angles and a pose for each of some frames.
@@ -34,6 +36,7 @@ struct HandEstimate {
 struct FitStage {
   std::optional<HullTermOptions> hull;
   std::optional<ContourTermOptions> contour;
+  std::optional<LandmarkTermOptions> landmarks;
   PriorTermOptions prior;
   int most_iterations = 20;
 };
@@ -47,7 +50,8 @@ std::string_view termination_name(Termination termination);
 
 struct SolverReport {
   int iterations = 0;
-  double energy = 0.0;  ///< at the end, of the stage's terms
+  double energy = 0.0;                 ///< at the end, of the stage's terms
+  std::vector<double> frame_energies;  ///< the parts of it that are the frames'
   Termination termination = Termination::iteration_limit;
   /// Of the angles, up to one common factor that tests on simulated takes have calibrated.
   ArrowSystem::AngleMatrix angle_covariance = ArrowSystem::AngleMatrix::Zero();

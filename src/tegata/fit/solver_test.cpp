@@ -23,7 +23,7 @@ TEST(Solver, ReturnsToTheTruthFromNearby) {
   const FitHand fit_hand(hand);
   const HandPose truth = test::grasping_pose(0.3);
   const FitFrame frame = test::perfect_frame(hand, truth, test::orthogonal_rig(0.8));
-  const FrameFit fit = fit_frame(fit_hand, frame, disturbed(truth), frame_schedule());
+  const FrameFit fit = fit_frame(fit_hand, frame, disturbed(truth), hull_first_schedule());
   EXPECT_LT(test::mean_keypoint_distance(hand, fit.pose, truth), 0.002);
   EXPECT_LT((fit.pose.angles - truth.angles).cwiseAbs().mean(), 0.08);
 }
@@ -32,7 +32,7 @@ TEST(Solver, ASceneTenTimesAsLargeHasTheSameAnswer) {
   const HandModel& hand = test::coarse_hand();
   const HandModel large = test::scaled(hand, 10.0);
   const HandPose truth = test::grasping_pose(0.3), large_truth = test::grasping_pose(0.3, 10.0);
-  const FitSchedule schedule{{frame_schedule().stages.back()}};
+  const FitSchedule schedule{{hull_first_schedule().stages.back()}};
   const FrameFit fit =
       fit_frame(FitHand(hand), test::perfect_frame(hand, truth, test::orthogonal_rig(0.8)),
                 disturbed(truth), schedule);
@@ -87,7 +87,7 @@ TEST(Solver, StopsAtItsLimitAndSaysSo) {
   const HandModel& hand = test::coarse_hand();
   const HandPose truth = test::grasping_pose(0.3);
   const FitFrame frame = test::perfect_frame(hand, truth, test::orthogonal_rig(0.8));
-  FitStage stage = frame_schedule().stages.front();
+  FitStage stage = hull_first_schedule().stages.front();
   stage.most_iterations = 1;
   const FrameFit fit = fit_frame(FitHand(hand), frame, disturbed(truth), {{stage}});
   EXPECT_EQ(fit.report.iterations, 1);

@@ -5,15 +5,11 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "tegata/fit/landmark_term.h"
 #include "tegata/hand/hand_model.h"
 #include "tegata/mesh/triangle_mesh.h"
 
 namespace tegata {
-
-/// Three landmarks in world coordinates [m], rough (1-2 cm) is enough.
-struct StartLandmarks {
-  Eigen::Vector3d wrist, index_mcp, little_mcp;
-};
 
 /// Angles of a few typical grasps, from nearly open to closed: where a fit may start.
 std::vector<JointAngles> typical_angles();

@@ -119,9 +119,9 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   const FitHand hand(hand_model);
   GraspFitOptions fit_options = options.fit;
   fit_options.threads = options.threads;
-  const GraspFit grasp = fit_grasp(hand, frames, prepared[usable.front()].hull,
-                                   start_landmarks(take, indices[usable.front()] == 0, observer),
-                                   fit_options, observer);
+  PreparedFrame& first = prepared[usable.front()];
+  first.frame.landmarks = start_landmarks(take, indices[usable.front()] == 0, observer);
+  const GraspFit grasp = fit_grasp(hand, frames, first.hull, fit_options, observer);
 
   Result result;
   result.take = take.info().name;
