@@ -9,6 +9,8 @@
 
 #include <limits>
 
+#include "tegata/mesh/manifold.h"
+
 namespace tegata {
 
 TriangleMesh simplify(const TriangleMesh& mesh, std::size_t triangle_count) {
@@ -39,7 +41,8 @@ TriangleMesh simplify(const TriangleMesh& mesh, std::size_t triangle_count) {
   for (std::size_t i = 0; i < kept; i += 3) {
     coarse.triangles.push_back({indices[i], indices[i + 1], indices[i + 2]});
   }
-  coarse = without_unused_vertices(coarse);
+  // The library does not keep two collapses from leaving an edge to four triangles.
+  coarse = as_manifold(coarse);
   coarse.normals = vertex_normals(coarse);
   return coarse;
 }

@@ -9,8 +9,9 @@
 namespace tegata {
 
 /// Edge collapse by quadric error (meshoptimizer) to `triangle_count` triangles or few more; a
-/// closed mesh stays closed. Marks are carried over and normals made anew from the triangles. A
-/// mesh that has no more triangles than asked for comes back as it is.
+/// closed, oriented 2-manifold stays one, though thin necks may break. Marks are carried over and
+/// normals made anew from the triangles. A mesh that has no more triangles than asked for comes
+/// back as it is.
 TriangleMesh simplify(const TriangleMesh& mesh, std::size_t triangle_count);
 
 }  // namespace tegata

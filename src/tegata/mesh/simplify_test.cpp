@@ -24,6 +24,22 @@ TEST(Simplify, KeepsTheShapeAndStaysClosed) {
   for (const Eigen::Vector3d& normal : coarse.normals) EXPECT_NEAR(normal.norm(), 1.0, 1e-9);
 }
 
+TEST(Simplify, LeavesNoEdgeToFourTrianglesWhereThinPartsCollapse) {
+  // Thin rings that go through each other's middle leave few triangles to each.
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    TriangleMesh ring = shapes::torus(0.1, 0.002 + 0.001 * i, 100, 12);
+    shapes::move(ring, {0.08 * i, 0.0, 0.0});
+    shapes::append(mesh, ring);
+  }
+  for (const std::size_t triangle_count : {3000u, 600u, 200u, 60u}) {
+    const MeshTopology topology = inspect_topology(simplify(mesh, triangle_count));
+    EXPECT_TRUE(topology.closed) << triangle_count;
+    EXPECT_TRUE(topology.oriented) << triangle_count;
+    EXPECT_TRUE(topology.manifold) << triangle_count;
+  }
+}
+
 TEST(Simplify, LosesNothingFarFromTheOrigin) {
   TriangleMesh mesh = shapes::torus(0.10, 0.03, 100, 40);
   const TriangleMesh near = simplify(mesh, 1000);

@@ -4,94 +4,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 
 #include "tegata/base/error.h"
+#include "tegata/mesh/edge_sides.h"
 
 namespace tegata {
 namespace {
-
-// Disjoint sets of 0 .. count - 1; a set's root is its lowest element.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t root(std::uint32_t element) {
-    while (parent_[element] != element) {
-      parent_[element] = parent_[parent_[element]];
-      element = parent_[element];
-    }
-    return element;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    if (a < b) {
-      parent_[b] = a;
-    } else {
-      parent_[a] = b;
-    }
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-// One side of a triangle. Corner c of triangle t has the number 3 t + c; a side has the number of
-// the corner at which it starts.
-struct Side {
-  std::uint32_t low = 0, high = 0;  // vertices, low <= high
-  std::uint32_t corner = 0;
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
-};
-
-std::uint32_t next_corner(std::uint32_t corner) {
-  return corner % 3 == 2 ? corner - 2 : corner + 1;
-}
-
-std::uint32_t vertex_at(const TriangleMesh& mesh, std::uint32_t corner) {
-  return mesh.triangles[corner / 3][corner % 3];
-}
-
-// All sides, those of one edge next to each other: counted into their lower vertices, then sorted
-// among the few that share it.
-std::vector<Side> sides_by_edge(const TriangleMesh& mesh) {
-  const auto corner_count = static_cast<std::uint32_t>(3 * mesh.triangles.size());
-  std::vector<std::uint32_t> start(mesh.vertices.size() + 1, 0);
-  const auto make_side = [&](std::uint32_t corner) {
-    const std::uint32_t a = vertex_at(mesh, corner), b = vertex_at(mesh, next_corner(corner));
-    return Side{std::min(a, b), std::max(a, b), corner};
-  };
-  for (std::uint32_t corner = 0; corner < corner_count; ++corner) {
-    ++start[make_side(corner).low + 1];
-  }
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<Side> sides(corner_count);
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::uint32_t corner = 0; corner < corner_count; ++corner) {
-    const Side side = make_side(corner);
-    sides[next[side.low]++] = side;
-  }
-  for (std::size_t v = 0; v + 1 < start.size(); ++v) {
-    std::sort(sides.begin() + start[v], sides.begin() + start[v + 1],
-              [](const Side& a, const Side& b) {
-                return a.high != b.high ? a.high < b.high : a.corner < b.corner;
-              });
-  }
-  return sides;
-}
-
-// Calls visit(run of sides of one edge) for each edge.
-template <typename Visit>
-void for_each_edge(const std::vector<Side>& sides, const Visit& visit) {
-  for (auto first = sides.begin(); first != sides.end();) {
-    const auto last =
-        std::find_if(first, sides.end(), [&](const Side& side) { return !side.same_edge(*first); });
-    visit(first, last);
-    first = last;
-  }
-}
 
 DisjointSets pieces(const TriangleMesh& mesh, const std::vector<Side>& sides) {
   DisjointSets triangles(mesh.triangles.size());
@@ -105,16 +23,7 @@ DisjointSets pieces(const TriangleMesh& mesh, const std::vector<Side>& sides) {
 
 // Whether the triangles around each vertex are joined to one another by edges at that vertex.
 bool has_one_fan_a_vertex(const TriangleMesh& mesh, const std::vector<Side>& sides) {
-  DisjointSets corners(3 * mesh.triangles.size());
-  for_each_edge(sides, [&](auto first, auto last) {
-    for (auto side = first + 1; side != last; ++side) {
-      std::uint32_t a = first->corner, b = side->corner;
-      if (vertex_at(mesh, a) != vertex_at(mesh, b)) b = next_corner(b);
-      corners.unite(a, b);
-      corners.unite(next_corner(first->corner),
-                    b == side->corner ? next_corner(side->corner) : side->corner);
-    }
-  });
+  DisjointSets corners = corners_by_fan(mesh, sides);
   std::vector<std::uint8_t> seen(mesh.vertices.size(), 0);
   for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
     if (corners.root(corner) != corner) continue;
@@ -238,6 +147,7 @@ TriangleMesh without_unused_vertices(const TriangleMesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     for (const std::uint32_t v : t) new_index[v] = 0;
   }
+  if (std::find(new_index.begin(), new_index.end(), kUnused) == new_index.end()) return mesh;
   TriangleMesh compact;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (new_index[v] == kUnused) continue;
@@ -254,19 +164,20 @@ TriangleMesh without_unused_vertices(const TriangleMesh& mesh) {
 }
 
 TriangleMesh without_small_components(const TriangleMesh& mesh, double fraction) {
-  DisjointSets triangles = pieces(mesh, sides_by_edge(mesh));
-  std::vector<std::uint32_t> size(mesh.triangles.size(), 0);
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) ++size[triangles.root(t)];
+  DisjointSets vertices(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles) {
+    vertices.unite(t[0], t[1]);
+    vertices.unite(t[1], t[2]);
+  }
+  std::vector<std::uint32_t> size(mesh.vertices.size(), 0);  // triangles, by their piece's root
+  for (const Triangle& t : mesh.triangles) ++size[vertices.root(t[0])];
   const double least =
       size.empty() ? 0.0
                    : fraction * static_cast<double>(*std::max_element(size.begin(), size.end()));
   TriangleMesh large = mesh;
-  large.triangles.clear();
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (static_cast<double>(size[triangles.root(t)]) >= least) {
-      large.triangles.push_back(mesh.triangles[t]);
-    }
-  }
+  std::erase_if(large.triangles, [&](const Triangle& t) {
+    return static_cast<double>(size[vertices.root(t[0])]) < least;
+  });
   return without_unused_vertices(large);
 }
 
