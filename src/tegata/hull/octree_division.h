@@ -57,6 +57,10 @@ class OctreeDivision {
     Known known = Known::nothing;
   };
 
+  // Of the 27 points of a cube of two cells a side, those that are corners of its first cell.
+  static constexpr std::uint32_t kCellCorners =
+      1u | 1u << 1 | 1u << 3 | 1u << 4 | 1u << 9 | 1u << 10 | 1u << 12 | 1u << 13;
+
   void visit(const LatticeIndex& low, int level, typename Source::State state) {
     const std::int32_t side = root_.cells() >> level;
     const double half_side = 0.5 * side * root_.cell_size;
@@ -81,30 +85,35 @@ class OctreeDivision {
 
   void sample_cells(const LatticeIndex& low) {
     std::array<Corner, 27> corners;
+    std::uint32_t inside = 0, unproven = 0;  // bit i: corner i
     for (std::int32_t i = 0; i < 27; ++i) {
-      corners[static_cast<std::size_t>(i)] =
-          corner_at({low[0] + i % 3, low[1] + i / 3 % 3, low[2] + i / 9});
+      const Corner& corner = corner_at({low[0] + i % 3, low[1] + i / 3 % 3, low[2] + i / 9});
+      corners[static_cast<std::size_t>(i)] = corner;
+      inside |= (corner.value > 0.0f ? 1u : 0u) << i;
+      unproven |= (corner.known == Known::unproven ? 1u : 0u) << i;
     }
     SparseField::Level& counts = field_.levels.back();
+    counts.visited += 8;
     for (std::int32_t cell = 0; cell < 8; ++cell) {
       const std::int32_t x = cell & 1, y = cell >> 1 & 1, z = cell >> 2;
-      OctreeLeaf leaf{.index = {low[0] + x, low[1] + y, low[2] + z}, .field = {}};
-      int inside = 0;
-      for (std::int32_t i = 0; i < 8; ++i) {
-        const Corner& corner = corners[static_cast<std::size_t>(
-            (x + (i & 1)) + 3 * (y + (i >> 1 & 1)) + 9 * (z + (i >> 2)))];
-        leaf.field[static_cast<std::size_t>(i)] = corner.value;
-        inside += corner.value > 0.0f ? 1 : 0;
-        leaf.unproven |= corner.known == Known::unproven;
-      }
-      ++counts.visited;
-      if (inside == 0) {
+      const std::int32_t first = x + 3 * y + 9 * z;
+      const std::uint32_t mask = kCellCorners << first;
+      if ((inside & mask) == 0) {
         ++counts.outside;
-      } else if (inside == 8) {
-        ++counts.inside;
-      } else {
-        field_.leaves.push_back(leaf);
+        continue;
       }
+      if ((inside & mask) == mask) {
+        ++counts.inside;
+        continue;
+      }
+      OctreeLeaf& leaf = field_.leaves.emplace_back();
+      leaf.index = {low[0] + x, low[1] + y, low[2] + z};
+      for (std::int32_t i = 0; i < 8; ++i) {
+        leaf.field[static_cast<std::size_t>(i)] =
+            corners[static_cast<std::size_t>(first + (i & 1) + 3 * (i >> 1 & 1) + 9 * (i >> 2))]
+                .value;
+      }
+      leaf.unproven = (unproven & mask) != 0;
     }
   }
 

@@ -12,9 +12,8 @@
 namespace tegata {
 namespace {
 
-// A cube's pixels are taken so much wider than it projects [px]: bilinear interpolation reads
-// pixels up to 1 away.
-constexpr double kMargin = 1.5;
+// What rounding may move a projection by [px], and more.
+constexpr double kSlack = 1e-6;
 // Around the foreground, distances are measured so far [px]; beyond they go on as a straight line.
 constexpr int kDistanceMargin = 4;
 constexpr std::size_t kRememberedViews = 64;
@@ -204,20 +203,23 @@ SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen:
   // For a point at center + d the pixel is off by (m0 - x m2) . d / (depth there), exactly.
   const double x = h.x() / h.z(), y = h.y() / h.z();
   const double scale = half_side / nearest;
-  const double reach_x = scale * (m.row(0) - x * m.row(2)).cwiseAbs().sum() + kMargin;
-  const double reach_y = scale * (m.row(1) - y * m.row(2)).cwiseAbs().sum() + kMargin;
+  const double reach_x = scale * (m.row(0) - x * m.row(2)).cwiseAbs().sum() + kSlack;
+  const double reach_y = scale * (m.row(1) - y * m.row(2)).cwiseAbs().sum() + kSlack;
   const double left = x - reach_x, right = x + reach_x, top = y - reach_y, bottom = y + reach_y;
-  // Half a pixel of the margin is left over where not even the cube itself reaches the picture.
-  if (right < 0.5 || bottom < 0.5 || left > view.width - 1.5 || top > view.height - 1.5) {
+  if (right < -0.5 || bottom < -0.5 || left > view.width - 0.5 || top > view.height - 0.5) {
     return {Verdict::blind, false};
   }
   const bool sees_all =
       left >= 0.0 && top >= 0.0 && right <= view.width - 1.0 && bottom <= view.height - 1.0;
+  // All pixels that bilinear interpolation reads anywhere in the box.
+  const auto low = [](double position) { return position > 0.0 ? static_cast<int>(position) : 0; };
+  const auto high = [](double position, double size) {
+    return position < size - 1.0 ? static_cast<int>(std::floor(position)) + 1
+                                 : static_cast<int>(size) - 1;
+  };
   const Eigen::AlignedBox2i pixels(
-      Eigen::Vector2i(static_cast<int>(std::ceil(std::max(left, 0.0))),
-                      static_cast<int>(std::ceil(std::max(top, 0.0)))),
-      Eigen::Vector2i(static_cast<int>(std::min(right, view.width - 1.0)),
-                      static_cast<int>(std::min(bottom, view.height - 1.0))));
+      Eigen::Vector2i(low(left), low(top)),
+      Eigen::Vector2i(high(right, view.width), high(bottom, view.height)));
   const std::uint32_t count = count_foreground(view, pixels);
   if (count == 0) return {sees_all ? Verdict::outside : Verdict::outside_as_far_as_seen, sees_all};
   const Eigen::Vector2i size = pixels.sizes() + Eigen::Vector2i::Ones();
@@ -279,6 +281,15 @@ Occupancy SilhouetteField::classify(const Eigen::Vector3d& center, double half_s
 float SilhouetteField::distance_at(const View& view, double x, double y) {
   const Image<float>& image = view.distance;
   const double local_x = x - view.distance_origin.x(), local_y = y - view.distance_origin.y();
+  const int left = static_cast<int>(local_x), top = static_cast<int>(local_y);
+  if (local_x >= 0.0 && local_y >= 0.0 && left + 1 < image.width() && top + 1 < image.height()) {
+    const float u = static_cast<float>(local_x - left), v = static_cast<float>(local_y - top);
+    const float* upper = &image(left, top);
+    const float* lower = upper + image.width();
+    const float above = upper[0] + u * (upper[1] - upper[0]);
+    const float below = lower[0] + u * (lower[1] - lower[0]);
+    return above + v * (below - above);
+  }
   const float value = sample_bilinear(image, local_x, local_y);
   if (value > 0.0f) return value;
   const double beyond_x = std::max({0.0, -local_x, local_x - (image.width() - 1)});

@@ -381,7 +381,7 @@ TEST(FindRegion, EndsWhereSilhouettesHaveNoEnd) {
 
 TEST(VisualHull, IsTheSameWhereverTheSceneStandsAndWhateverItsScale) {
   const auto views = views_of_ball(4, kCenter, kRadius, 0.8, 80.0);
-  const TriangleMesh here = visual_hull(views, with_voxels(0.002, 2000));
+  const TriangleMesh here = visual_hull(views, with_voxels(0.002));
   const NearestSurface surface(here);
   const Eigen::Vector3d offset(100.0, -70.0, 40.0);
   for (const double scale : {1.0, 10.0}) {
@@ -390,7 +390,7 @@ TEST(VisualHull, IsTheSameWhereverTheSceneStandsAndWhateverItsScale) {
       Rigid3d& pose = view.camera.camera_from_world;
       pose.translation = scale * pose.translation - pose.rotation * offset;
     }
-    const TriangleMesh there = visual_hull(moved, with_voxels(0.002 * scale, 2000));
+    const TriangleMesh there = visual_hull(moved, with_voxels(0.002 * scale));
     const double size = scale * scale * scale;
     EXPECT_NEAR(enclosed_volume(there) / size / enclosed_volume(here), 1.0, 2e-3);
     // The lattices may lie differently, which shows at the hull's edges: up to a voxel.
