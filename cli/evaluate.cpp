@@ -31,7 +31,7 @@ void add_evaluate_command(CLI::App& program) {
   command->add_option("RESULT", arguments->result, "Folder that fit made")->required();
   command->add_option("--truth", arguments->truth, "Folder with truth.json and truth/")->required();
   add_common_options(*command, arguments->common);
-  command->footer("Example: tegata evaluate demo/result --truth demo/take");
+  command->footer("Example: tegata evaluate demo/result --truth demo/take\n");
   command->callback([arguments] { run(*arguments); });
 }
 

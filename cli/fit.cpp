@@ -184,7 +184,7 @@ void add_fit_command(CLI::App& program) {
   command->add_flag("--no-report", arguments->no_report, "No report.html");
   command->add_flag("--force", arguments->force, "Replace the result folder where it exists");
   add_common_options(*command, arguments->common);
-  command->footer("Example: tegata fit demo/take -o demo/result");
+  command->footer("Example: tegata fit demo/take -o demo/result\n");
   command->callback([arguments] { run(*arguments); });
 }
 

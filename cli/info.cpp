@@ -135,7 +135,7 @@ void add_info_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("info", "Say what a take or a result holds");
   command->add_option("FOLDER", arguments->folder, "A take or a result")->required();
   add_common_options(*command, arguments->common);
-  command->footer("Example: tegata info demo/take");
+  command->footer("Example: tegata info demo/take\n");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
                    "tegata");
   program.set_version_flag("--version", "tegata " TEGATA_VERSION);
   program.require_subcommand(1);
-  program.footer("Each command explains itself: tegata fit --help");
+  program.footer("Each command explains itself: tegata fit --help\n");
   tegata::add_simulate_command(program);
   tegata::add_fit_command(program);
   tegata::add_evaluate_command(program);

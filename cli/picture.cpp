@@ -208,7 +208,7 @@ void add_picture_command(CLI::App& program) {
   command->add_flag("--whole", arguments->whole,
                     "Whole pictures instead of what is around the hand");
   add_common_options(*command, arguments->common);
-  command->footer("Example: tegata picture demo/result --take demo/take -o demo/picture.png");
+  command->footer("Example: tegata picture demo/result --take demo/take -o demo/picture.png\n");
   command->callback([arguments] { run(*arguments); });
 }
 

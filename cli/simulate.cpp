@@ -104,7 +104,7 @@ void add_simulate_command(CLI::App& program) {
                     "No rough landmarks in take.toml");
   command->add_flag("--force", arguments->force, "Replace the folder where it exists");
   add_common_options(*command, arguments->common);
-  command->footer("Example: tegata simulate demo/take --grasp cylinder --cameras 3 --frames 10");
+  command->footer("Example: tegata simulate demo/take --grasp cylinder --cameras 3 --frames 10\n");
   command->callback([arguments] { run(*arguments); });
 }
 
