@@ -121,10 +121,10 @@ TEST(Carve, KeepsWhatADenseLatticeKeeps) {
   auto views = views_of_ball(5, kCenter, kRadius, 0.6, 60.0);
   for (const int least_views : {1, 2, 4}) {
     for (int dissenting = 0; dissenting < std::min(least_views, 3); ++dissenting) {
-      HullOptions options = with_voxels(0.005);
+      HullOptions options = with_voxels(0.0065);
       options.least_views = least_views;
       options.dissenting_views = dissenting;
-      expect_like_dense_lattice(views, options, box_around(kAside, 0.12));
+      expect_like_dense_lattice(views, options, box_around(kAside, 0.09));
     }
   }
 }
