@@ -45,7 +45,7 @@ std::vector<Rigid3d> hand_motion(const Eigen::Vector3d& center_in_hand,
   Random random(options.seed);
   Eigen::Quaterniond rotation = first_rotation(random);
   const double way = random.index(2) == 0 ? 1.0 : -1.0;
-  const Swing axis_x(0.45, random), axis_z(0.45, random);
+  const Swing axis_x(0.3, random), axis_z(0.3, random);
   const Swing x(0.011, random), y(0.011, random), z(0.011, random);
   std::vector<Rigid3d> world_from_hand;
   for (int frame = 0; frame < options.frame_count; ++frame) {
