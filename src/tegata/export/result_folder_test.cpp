@@ -14,7 +14,7 @@ namespace {
 
 HandModel coarse_hand() {
   BuiltInHandOptions options;
-  options.cell_size = 0.008;
+  options.cell_size = 0.005;
   options.triangle_count = 300;
   return built_in_hand(HandShape{}, Side::right, options);
 }
