@@ -101,7 +101,7 @@ TEST(SegmentSkin, FindsOneArmInARecording) {
   for (const int camera : {0, 1}) {
     cv::VideoCapture video((folder / ("cam" + std::to_string(camera) + ".mp4")).string());
     cv::Mat frame;
-    for (int i = 0; i < 121 && video.read(frame); ++i) {
+    for (int i = 0; i < 81 && video.read(frame); ++i) {
       if (i % 40 != 0 || i == 0) continue;
       CameraImage picture{Image<std::uint16_t>(frame.cols, frame.rows, 0, 3), 8};
       for (int y = 0; y < frame.rows; ++y) {
