@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kKeptStarts = 6;
 // A frame whose energy is so many times the median of all frames is sought anew.
 constexpr double kSuspectEnergyRatio = 1.3;
+// A tracked frame whose energy is so many times the median of those before may be lost.
+constexpr double kLostEnergyRatio = 2.0;
 // How far the angles may leave what is known of them [rad], stage by stage: a turning hand is first
 // followed nearly stiff, as nothing else moves the fingers' surfaces as far. After the last entry
 // the last one holds.
@@ -24,15 +26,15 @@ constexpr double kKnownDeviations[] = {0.02, 0.02, 0.02, 0.02};
 
 using Deviations = std::span<const double, 4>;
 
-std::vector<HandPose> first_starts(const FitHand& hand, const FitFrame& frame,
-                                   const TriangleMesh& hull, int orientations) {
-  const Skeleton& skeleton = hand.model->skeleton;
+std::vector<HandPose> starts_from_nothing(const FitHand& hand, const FitFrame& frame,
+                                          const std::vector<JointAngles>& angles) {
   const std::vector<Rigid3d> poses =
-      frame.landmarks ? std::vector<Rigid3d>{pose_from_landmarks(skeleton, *frame.landmarks)}
-                      : poses_around(skeleton, hull, orientations);
+      frame.landmarks
+          ? std::vector<Rigid3d>{pose_from_landmarks(hand.model->skeleton, *frame.landmarks)}
+          : poses_at_ends(hand, hand_ends(hand, frame));
   std::vector<HandPose> starts;
   for (const Rigid3d& pose : poses) {
-    for (const JointAngles& angles : typical_angles()) starts.push_back({pose, angles});
+    for (const JointAngles& bent : angles) starts.push_back({pose, bent});
   }
   return starts;
 }
@@ -58,38 +60,52 @@ std::vector<FitSchedule> holding(std::vector<FitSchedule> schedules, const Joint
   return schedules;
 }
 
-// The fits of all frames one after the other, each started from the one before.
-std::vector<FrameFit> fit_in_order(const FitHand& hand, std::span<const FitFrame* const> frames,
-                                   const std::vector<HandPose>& starts,
-                                   const GraspFitOptions& options, const Observer& observer) {
-  const Deviations deviations =
-      options.grasp == GraspConstraint::free ? Deviations(kFreeDeviations) : kFixedDeviations;
-  std::vector<FrameFit> fits;
-  for (const FitFrame* frame : frames) {
-    observer.progress("frames", fits.size(), frames.size());
-    if (fits.empty()) {
-      fits.push_back(
-          fit_frame_from_best(hand, *frame, starts, kKeptStarts, options.frame, options.threads));
-      continue;
-    }
-    const HandPose& last = fits.back().pose;
-    std::vector<HandPose> next = {last};
-    if (fits.size() > 1) {
-      const HandPose& before = fits[fits.size() - 2].pose;
-      next.push_back({extrapolated(before.world_from_hand, last.world_from_hand), last.angles});
-    }
-    fits.push_back(fit_frame_from_best(hand, *frame, next, next.size(),
-                                       holding(options.frame, last.angles, deviations),
-                                       options.threads));
-  }
-  observer.progress("frames", frames.size(), frames.size());
-  return fits;
-}
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+// A frame after the first: from where the hand was or would be and, where that fits far worse than
+// the frames before did, from nothing: the hand may have been lost.
+FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const std::vector<FrameFit>& before,
+                  const std::vector<double>& energies, const GraspFitOptions& options) {
+  const HandPose& last = before.back().pose;
+  std::vector<HandPose> starts = {last};
+  if (before.size() > 1) {
+    const HandPose& last_but_one = before[before.size() - 2].pose;
+    starts.push_back(
+        {extrapolated(last_but_one.world_from_hand, last.world_from_hand), last.angles});
+  }
+  const std::vector<FitSchedule> schedules =
+      holding(options.frame, last.angles,
+              options.grasp == GraspConstraint::free ? Deviations(kFreeDeviations)
+                                                     : Deviations(kFixedDeviations));
+  const FrameFit tracked =
+      fit_frame_from_best(hand, frame, starts, starts.size(), schedules, options.threads);
+  if (tracked.report.energy <= kLostEnergyRatio * median(energies)) return tracked;
+  const FrameFit found =
+      fit_frame_from_best(hand, frame, starts_from_nothing(hand, frame, {last.angles}), kKeptStarts,
+                          schedules, options.threads);
+  return found.report.energy < tracked.report.energy ? found : tracked;
+}
+
+// The fits of all frames one after the other.
+std::vector<FrameFit> fit_in_order(const FitHand& hand, std::span<const FitFrame* const> frames,
+                                   const GraspFitOptions& options, const Observer& observer) {
+  std::vector<FrameFit> fits;
+  std::vector<double> energies;
+  for (const FitFrame* frame : frames) {
+    observer.progress("frames", fits.size(), frames.size());
+    fits.push_back(fits.empty()
+                       ? fit_frame_from_best(hand, *frame,
+                                             starts_from_nothing(hand, *frame, typical_angles()),
+                                             kKeptStarts, options.frame, options.threads)
+                       : fit_next(hand, *frame, fits, energies, options));
+    energies.push_back(fits.back().report.energy);
+  }
+  observer.progress("frames", frames.size(), frames.size());
+  return fits;
 }
 
 HandEstimate median_estimate(const std::vector<FrameFit>& fits) {
@@ -183,17 +199,14 @@ void keep_frames_free(const std::vector<FrameFit>& fits, GraspFit& grasp) {
 }  // namespace
 
 GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
-                   const TriangleMesh& first_hull, const GraspFitOptions& options,
-                   const Observer& observer) {
+                   const GraspFitOptions& options, const Observer& observer) {
   if (frames.empty()) throw Error("grasp fit: got no frame, expected at least one");
   for (const FitFrame* frame : frames) {
     if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
   }
   GraspFit grasp;
   const Stopwatch frame_watch;
-  const std::vector<FrameFit> fits = fit_in_order(
-      hand, frames, first_starts(hand, *frames.front(), first_hull, options.start_orientations),
-      options, observer);
+  const std::vector<FrameFit> fits = fit_in_order(hand, frames, options, observer);
   grasp.frame_seconds = frame_watch.seconds();
   const Stopwatch grasp_watch;
   if (options.grasp == GraspConstraint::free) {

@@ -21,7 +21,6 @@ struct GraspFitOptions {
   GraspConstraint grasp = GraspConstraint::fixed;
   std::vector<FitSchedule> frame = {hull_first_schedule(), contour_first_schedule()};
   FitSchedule all_frames = grasp_schedule();
-  int start_orientations = 64;  ///< tried in the first frame without landmarks
   int threads = 0;
 };
 
@@ -34,14 +33,13 @@ struct GraspFit {
   double frame_seconds = 0.0, all_frames_seconds = 0.0;
 };
 
-/// Finds the hand in all frames: the first from its landmarks or, without them, from many
-/// orientations; each next one from the one before; then all frames at once with one set of angles,
-/// so that frames in which something hides a finger lose their influence on it. Frames that fit
-/// worse than the others are then sought anew with the angles known, and all fitted once more.
-/// `frames` must not be empty and each needs a hull; throws Error otherwise. `first_hull` is the
-/// first frame's.
+/// Finds the hand in all frames: the first from its landmarks or, without them, from many poses at
+/// the ends of its hull; each next one from the one before, and from the ends of its hull as well
+/// where that fits far worse than frames did before; then all frames at once with one set of
+/// angles, so that frames in which something hides a finger lose their influence on it. Frames that
+/// fit worse than the others are then sought anew with the angles known, and all fitted once more.
+/// `frames` must not be empty and each needs a hull; throws Error otherwise.
 GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
-                   const TriangleMesh& first_hull, const GraspFitOptions& options,
-                   const Observer& observer);
+                   const GraspFitOptions& options, const Observer& observer);
 
 }  // namespace tegata

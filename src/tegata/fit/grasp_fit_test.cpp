@@ -38,8 +38,7 @@ TEST(GraspFit, FollowsATurningHandFromRoughLandmarks) {
   Scene scene = turning_hand(3);
   const HandModel& hand = test::coarse_hand();
   scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
-  const GraspFit fit =
-      fit_grasp(FitHand(hand), scene.pointers, PosedHand(hand, scene.truth[0]).surface(), {}, {});
+  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers, {}, {});
   ASSERT_EQ(fit.poses.size(), 3U);
   for (std::size_t f = 0; f < 3; ++f) {
     EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[f], scene.truth[f]), 0.002) << f;
@@ -56,25 +55,23 @@ TEST(GraspFit, FreeFramesKeepAnglesOfTheirOwn) {
   scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
   GraspFitOptions options;
   options.grasp = GraspConstraint::free;
-  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers,
-                                 PosedHand(hand, scene.truth[0]).surface(), options, {});
+  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers, options, {});
   EXPECT_GT(fit.poses[1].angles[5] - fit.poses[0].angles[5], 0.1);
 }
 
 TEST(GraspFit, StartsWithoutLandmarks) {
   const Scene scene = turning_hand(1);
   const HandModel& hand = test::coarse_hand();
-  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers,
-                                 PosedHand(hand, scene.truth[0]).surface(), std::nullopt, {}, {});
+  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers, {}, {});
   EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[0], scene.truth[0]), 0.004);
 }
 
 TEST(GraspFit, RefusesNoFramesAndFramesWithoutAHull) {
   const FitHand hand(test::coarse_hand());
-  EXPECT_THROW(fit_grasp(hand, {}, {}, {}, {}), Error);
+  EXPECT_THROW(fit_grasp(hand, {}, {}, {}), Error);
   const FitFrame without_hull;
   const FitFrame* const frames[] = {&without_hull};
-  EXPECT_THROW(fit_grasp(hand, frames, {}, {}, {}), Error);
+  EXPECT_THROW(fit_grasp(hand, frames, {}, {}), Error);
 }
 
 }  // namespace

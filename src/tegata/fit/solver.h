@@ -8,21 +8,14 @@
 #include <vector>
 
 #include "tegata/fit/contour_term.h"
+#include "tegata/fit/fit_frame.h"
 #include "tegata/fit/fit_hand.h"
 #include "tegata/fit/hull_term.h"
 #include "tegata/fit/landmark_term.h"
 #include "tegata/fit/normal_equations.h"
 #include "tegata/fit/prior_term.h"
-#include "tegata/fit/view.h"
 
 namespace tegata {
-
-/// What is known of one moment. A frame may lack the hull (then only contours count).
-struct FitFrame {
-  std::vector<FitView> views;
-  std::optional<HullTarget> hull;
-  std::optional<StartLandmarks> landmarks;
-};
 
 /// One set of angles and a pose for each of some frames.
 struct HandEstimate {

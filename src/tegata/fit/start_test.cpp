@@ -20,21 +20,40 @@ TEST(Start, LandmarksGiveBackThePose) {
   EXPECT_LT((found.translation - truth.world_from_hand.translation).norm(), 1e-6);
 }
 
-TEST(Start, OrientationsLeaveNoLargeGap) {
-  TriangleMesh hull;
-  hull.vertices = {Eigen::Vector3d::Zero()};
-  const auto poses = poses_around(test::coarse_hand().skeleton, hull, 64);
-  ASSERT_EQ(poses.size(), 64U);
-  double widest = 0.0;
-  for (int i = 0; i < 300; ++i) {
-    const Eigen::Quaterniond query = so3_exp(3.0 * Eigen::Vector3d::Random());
-    double nearest = 10.0;
-    for (const Rigid3d& pose : poses) {
-      nearest = std::min(nearest, pose.rotation.angularDistance(query));
-    }
-    widest = std::max(widest, nearest);
+TEST(Start, TheHandIsTheEndThatNoPictureCutsOff) {
+  // A rod along x that leaves the first camera's picture on the right.
+  TriangleMesh rod;
+  for (int i = 0; i <= 200; ++i) {
+    rod.vertices.emplace_back(-0.1 + 0.002 * i, 0.0, 0.0);
+    rod.normals.emplace_back(0.0, 1.0, 0.0);
   }
-  EXPECT_LT(widest, 1.2);
+  FitFrame frame;
+  frame.hull.emplace(rod);
+  const Camera camera = test::orthogonal_rig(0.8)[0];
+  frame.views.push_back(make_fit_view(camera, Silhouette(camera.width, camera.height)));
+  const FitHand hand(test::coarse_hand());
+  const std::vector<HullEnd> ends = hand_ends(hand, frame);
+  ASSERT_EQ(ends.size(), 1U);
+  EXPECT_LT((ends[0].tip - Eigen::Vector3d(-0.1, 0.0, 0.0)).norm(), 1e-6);
+  EXPECT_LT((ends[0].direction - Eigen::Vector3d(-1.0, 0.0, 0.0)).norm(), 1e-3);
+}
+
+TEST(Start, BothEndsArePossibleWhereNothingIsCutOff) {
+  const HandModel& hand = test::coarse_hand();
+  const FitFrame frame = test::perfect_frame(hand, test::grasping_pose(0.0), {});
+  EXPECT_EQ(hand_ends(FitHand(hand), frame).size(), 2U);
+}
+
+TEST(Start, OnePoseAtTheEndsIsNearTheTruth) {
+  const HandModel& hand = test::coarse_hand();
+  const FitHand fit_hand(hand);
+  const HandPose truth = test::grasping_pose(0.9);
+  const FitFrame frame = test::perfect_frame(hand, truth, {});
+  double nearest = 10.0;
+  for (const Rigid3d& pose : poses_at_ends(fit_hand, hand_ends(fit_hand, frame))) {
+    nearest = std::min(nearest, pose.rotation.angularDistance(truth.world_from_hand.rotation));
+  }
+  EXPECT_LT(nearest, 0.6);
 }
 
 TEST(Start, TypicalAnglesAreWithinTheLimits) {
@@ -44,8 +63,8 @@ TEST(Start, TypicalAnglesAreWithinTheLimits) {
   }
 }
 
-TEST(Start, RefusesAnEmptyHull) {
-  EXPECT_THROW(poses_around(test::coarse_hand().skeleton, {}, 4), Error);
+TEST(Start, RefusesAFrameWithoutAHull) {
+  EXPECT_THROW(hand_ends(FitHand(test::coarse_hand()), FitFrame{}), Error);
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   fit_options.threads = options.threads;
   PreparedFrame& first = prepared[usable.front()];
   first.frame.landmarks = start_landmarks(take, indices[usable.front()] == 0, observer);
-  const GraspFit grasp = fit_grasp(hand, frames, first.hull, fit_options, observer);
+  const GraspFit grasp = fit_grasp(hand, frames, fit_options, observer);
 
   Result result;
   result.take = take.info().name;
