@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "tegata/base/text.h"
 #include "tegata/hand/built_in_hand.h"
 #include "tegata/image/rasterizer.h"
 #include "tegata/math/so3.h"
