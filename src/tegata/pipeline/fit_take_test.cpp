@@ -64,14 +64,15 @@ TEST(FitTake, AFrameOfOneCameraKeepsItsEntryWithoutAPose) {
 
 TEST(FitTake, EmptySilhouettesEverywhereAreAnErrorThatSaysSo) {
   const TestFolder folder;
-  test::write_mask_take(folder.path(), 1);
+  test::write_mask_take(folder.path(), 2);
   const CameraImage nothing{Image<std::uint16_t>(200, 160, 0), 8};
   for (const char* camera : {"camera_0", "camera_1"}) {
     write_picture(nothing, folder / "masks" / camera / "000000.png");
+    write_picture(nothing, folder / "masks" / camera / "000001.png");
   }
   Take take = Take::open(folder.path());
   EXPECT_TRUE(says(error_of([&] { fit_take(take, test::small_hand(), {}, {}); }),
-                   "none of 1 frames", "hand found in"));
+                   "none of 2 frames", "hand found in 1 view"));
 }
 
 TEST(FitTake, RefusesFramesThatTheTakeDoesNotHave) {

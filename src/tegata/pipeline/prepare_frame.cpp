@@ -47,7 +47,7 @@ PreparedFrame prepare_frame(const Take& take, const TakeFrame& pictures, Segment
   std::vector<HullView> views = useful_views(take, pictures, method, prepared);
   prepared.segment_seconds = segment_watch.seconds();
   if (views.size() < kLeastViews) {
-    prepared.refusal = text("hand found in ", views.size(), " views, 2 or more are needed");
+    prepared.refusal = text("hand found in ", views.size(), " view, 2 or more are needed");
     return prepared;
   }
   try {

@@ -46,13 +46,13 @@ TEST(Silhouettes, MethodFollowsThePictures) {
 
 TEST(Silhouettes, MasksAreTakenAsTheyAre) {
   const TestFolder folder;
-  test::write_mask_take(folder.path(), 1);
+  test::write_mask_take(folder.path(), 2);
   Take take = Take::open(folder.path());
   EXPECT_EQ(choose_segmentation(take, {}), SegmentationMethod::mask);
-  const TakeFrame frame = take.read_frame(0, {});
+  const TakeFrame frame = take.read_frame(1, {});
   const auto silhouettes = segment_frame(take, frame, SegmentationMethod::mask);
   ASSERT_TRUE(silhouettes[0].has_value());
-  EXPECT_EQ(*silhouettes[0], test::small_silhouette(0, 0));
+  EXPECT_EQ(*silhouettes[0], test::small_silhouette(1, 0));
   EXPECT_FALSE(silhouettes[2].has_value()) << "the last camera lacks the last frame";
 }
 
