@@ -23,7 +23,7 @@ std::string page_of(const Result& result, const std::vector<ReportPicture>& pict
 
 /// The first tag that is not closed in order, or nothing.
 std::string unbalanced_tag(const std::string& page) {
-  static const std::regex kTag("<(/?)([a-z0-9]+)((?:\\s[A-Za-z-]+=\"[^\"<>]*\")*)\\s?(/?)>");
+  static const std::regex kTag("<(/?)([a-z0-9]+)((?:\\s[A-Za-z0-9-]+=\"[^\"<>]*\")*)\\s?(/?)>");
   std::vector<std::string> open;
   std::size_t tag_count = 0;
   const std::string body = page.substr(page.find("<html"));
