@@ -26,7 +26,7 @@ TEST(Recordings, TwoVideosOfABareHandAreFitted) {
   ASSERT_EQ(std::system(convert.c_str()), 0);
 
   const ProgramRun run = run_program({"fit", take.string(), "-o", result.string(), "--quiet",
-                                      "--no-report", "--grasp", "free", "--frames", "30:48:6"});
+                                      "--no-report", "--grasp", "free", "--frames", "60:78:6"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Result fitted = read_result_json(result / "result.json");
   ASSERT_EQ(fitted.frames.size(), 4u);
