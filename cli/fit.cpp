@@ -73,11 +73,12 @@ Side choose_side(const Take& take, const std::string& asked) {
 }
 
 void write_report(Take& take, const Result& result, const HandModel& hand,
+                  const std::optional<SegmentationMethod>& segmentation,
                   const std::filesystem::path& file) {
   std::vector<ReportPicture> pictures;
   // Without an observer: what there is to warn of was said when the frames were fitted.
-  for (const Overlay& overlay :
-       draw_overlays(take, result, hand, kReportFrames, kReportPictureWidth, Observer{})) {
+  for (const Overlay& overlay : draw_overlays(
+           take, result, hand, {kReportFrames, kReportPictureWidth, segmentation}, Observer{})) {
     pictures.push_back(
         {overlay.frame, overlay.camera, encode_jpeg(overlay.picture, kReportJpegQuality)});
   }
@@ -137,7 +138,7 @@ void run(Arguments& arguments) {
     result = fit_take(take, hand, options, progress.observer());
     write_result_files(result, hand, folder.path());
     if (!arguments.no_report) {
-      write_report(take, result, hand, folder.path() / "report.html");
+      write_report(take, result, hand, options.segmentation, folder.path() / "report.html");
     }
   }
   folder.commit();

@@ -167,8 +167,10 @@ void run(const Arguments& arguments) {
   std::vector<Overlay> overlays;
   {
     Progress progress(arguments.common.quiet);
-    overlays = draw_overlays(take, result, hand, arguments.frames,
-                             arguments.whole ? arguments.width : kAnyWidth, progress.observer());
+    overlays = draw_overlays(
+        take, result, hand,
+        {.most_frames = arguments.frames, .widest = arguments.whole ? arguments.width : kAnyWidth},
+        progress.observer());
   }
   const std::vector<CameraImage> pictures =
       draw_rows(overlays, take.rig(), result, hand, arguments);

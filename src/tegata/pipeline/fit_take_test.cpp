@@ -96,7 +96,8 @@ TEST(Overlays, ShowEveryViewOfTheChosenFrames) {
     frame.pose = test::small_pose(f);
     result.frames.push_back(frame);
   }
-  const auto overlays = draw_overlays(take, result, test::small_hand(), 2, 100, {});
+  const auto overlays =
+      draw_overlays(take, result, test::small_hand(), {.most_frames = 2, .widest = 100}, {});
   ASSERT_EQ(overlays.size(), 5U) << "frames 0 and 2; the last camera lacks the last frame";
   EXPECT_EQ(overlays.front().frame, "000000");
   EXPECT_EQ(overlays.back().frame, "000002");

@@ -35,13 +35,14 @@ std::vector<const ResultFrame*> spread_frames(const Result& result, std::size_t 
 }  // namespace
 
 std::vector<Overlay> draw_overlays(Take& take, const Result& result, const HandModel& hand,
-                                   std::size_t most_frames, int widest, const Observer& observer) {
+                                   const OverlayOptions& options, const Observer& observer) {
   std::map<std::string, std::size_t> index_of;
   for (std::size_t i = 0; i < take.frame_names().size(); ++i) index_of[take.frame_names()[i]] = i;
-  const SegmentationMethod method = choose_segmentation(take, observer);
+  const SegmentationMethod method =
+      options.segmentation ? *options.segmentation : choose_segmentation(take, observer);
 
   std::vector<Overlay> overlays;
-  for (const ResultFrame* frame : spread_frames(result, most_frames)) {
+  for (const ResultFrame* frame : spread_frames(result, options.most_frames)) {
     const auto found = index_of.find(frame->name);
     if (found == index_of.end()) {
       throw Error(take.folder().string(), ": got no frame '", frame->name,
@@ -57,7 +58,7 @@ std::vector<Overlay> draw_overlays(Take& take, const Result& result, const HandM
       draw_outline(picture, *silhouettes[c], kSilhouetteColour, kOutlineWidthPx);
       draw_outline(picture, render_silhouette(surface, take.rig()[c]), kHandColour,
                    kOutlineWidthPx);
-      overlays.push_back({frame->name, take.rig()[c].name, shrunk(picture, widest)});
+      overlays.push_back({frame->name, take.rig()[c].name, shrunk(picture, options.widest)});
     }
   }
   return overlays;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +21,14 @@ struct Overlay {
   CameraImage picture;  ///< 8 bit, 3 channels
 };
 
-/// The overlays of the frames of a result (all, or at most `most_frames` spread evenly), pictures
-/// at most `widest` pixels wide.
+struct OverlayOptions {
+  std::size_t most_frames = 8;                     ///< those with a pose, spread evenly
+  int widest = 480;                                ///< of a picture [px]
+  std::optional<SegmentationMethod> segmentation;  ///< that the result was made with, if asked for
+};
+
+/// The overlays of the frames of a result. Throws Error where the take lacks one of them.
 std::vector<Overlay> draw_overlays(Take& take, const Result& result, const HandModel& hand,
-                                   std::size_t most_frames, int widest, const Observer& observer);
+                                   const OverlayOptions& options, const Observer& observer);
 
 }  // namespace tegata
