@@ -22,9 +22,10 @@ struct Overlay {
 };
 
 struct OverlayOptions {
-  std::size_t most_frames = 8;                     ///< those with a pose, spread evenly
-  int widest = 480;                                ///< of a picture [px]
-  std::optional<SegmentationMethod> segmentation;  ///< that the result was made with, if asked for
+  std::size_t most_frames = 8;  ///< those with a pose, spread evenly
+  int widest = 480;             ///< of a picture [px]
+  /// What the result was made with, where that was asked for.
+  std::optional<SegmentationMethod> segmentation = std::nullopt;
 };
 
 /// The overlays of the frames of a result. Throws Error where the take lacks one of them.
