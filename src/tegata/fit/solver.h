@@ -46,7 +46,7 @@ struct SolverReport {
   double energy = 0.0;                 ///< at the end, of the stage's terms
   std::vector<double> frame_energies;  ///< the parts of it that are the frames'
   Termination termination = Termination::iteration_limit;
-  /// Of the angles, up to one common factor that tests on simulated takes have calibrated.
+  /// Of the angles, up to one common factor: the residuals are not independent of each other.
   ArrowSystem::AngleMatrix angle_covariance = ArrowSystem::AngleMatrix::Zero();
 };
 
