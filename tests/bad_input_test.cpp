@@ -133,7 +133,7 @@ TEST_F(BadInput, EmptySilhouettes) {
       write_picture({Image<std::uint16_t>(320, 240), 8}, mask(camera, frame));
     }
   }
-  expect_refused("none of 2 frames", "000000", "hand found in 0 views");
+  expect_refused("none of 2 frames", "000000", "hand found in 0 view");
 }
 
 TEST_F(BadInput, NoFrameThatTwoCamerasHave) {
