@@ -4,7 +4,9 @@
 # One shared list of flags for everything that is compiled here.
 add_library(tegata_flags INTERFACE)
 target_compile_options(tegata_flags INTERFACE
-  -Wall -Wextra -Wconversion $<$<BOOL:${TEGATA_WERROR}>:-Werror>)
+  -Wall -Wextra -Wconversion $<$<BOOL:${TEGATA_WERROR}>:-Werror>
+  -ffp-contract=off  # the same bits on every machine, whatever instructions it has
+  -fno-math-errno -fno-trapping-math)  # nobody asks; loops with square roots are vectorised
 if(TEGATA_SANITIZE)
   target_compile_options(tegata_flags INTERFACE
     -fsanitize=${TEGATA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
