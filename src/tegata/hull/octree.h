@@ -51,7 +51,7 @@ struct FieldSource {
 
 /// Divides a cube around `region`, at least one cell wider on every side, down to cells of
 /// `cell_size` (at most 2^20 cells a side). Corners on the cube's own faces count as outside, so
-/// that the surface is always closed. Leaves come in the same order every time: eight by eight, x
+/// that the surface is always closed. Leaves come in the same order every time: block by block, x
 /// fastest. Throws Error where the region is empty or not finite or the cells are too small for it.
 SparseField build_octree(const Eigen::AlignedBox3d& region, double cell_size,
                          const FieldSource& source);

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 
-#include "tegata/hull/lattice_map.h"
 #include "tegata/hull/octree.h"
 
 namespace tegata {
@@ -17,7 +17,7 @@ namespace tegata {
 struct OctreeRoot {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double cell_size = 0.0;  ///< [m]
-  int depth = 1;           ///< at least 1
+  int depth = 2;           ///< at least 2
 
   std::int32_t cells() const { return std::int32_t{1} << depth; }
 };
@@ -25,22 +25,32 @@ struct OctreeRoot {
 /// The root cube that build_octree() divides: centred on the region. Throws Error as it does.
 OctreeRoot root_around(const Eigen::AlignedBox3d& region, double cell_size);
 
-/// FieldSource for compilers: State is what a cube hands down to its eighths (copied to each), such
-/// as what needs not be asked again.
-template <typename Source>
-concept OctreeSource = requires(const Source& source, typename Source::State& state,
-                                const Eigen::Vector3d& point, double half_side, bool& unproven) {
-  { source.classify(point, half_side, state) } -> std::same_as<Occupancy>;
-  { source.sample(point, unproven) } -> std::convertible_to<float>;
+/// The field at the lattice points of a block of `Cells` cells a side, x fastest.
+template <int Cells>
+struct BlockValues {
+  static constexpr std::size_t kSide = Cells + 1;
+  static constexpr std::size_t kPoints = kSide * kSide * kSide;
+  static constexpr std::size_t kLanes = (kPoints + 15) / 16 * 16;  ///< with room for vectors
+  alignas(64) std::array<float, kLanes> field;
+  std::array<std::uint8_t, kLanes> unproven;  ///< 1 where only unknown pixels say "inside"
 };
 
-/// Divides a cube depth first. Cubes of two cells a side that stay mixed are sampled at their 27
-/// lattice points, each point of the lattice once; their eight cells are judged by signs alone.
+/// FieldSource for compilers: State is what a cube hands down to its eighths (copied to each), such
+/// as what needs not be asked again. Cubes of kBlockCells cells a side (2 or 4) are not classified
+/// further but sampled; a lattice point must have the same value in every block that it belongs to.
+template <typename Source>
+concept OctreeSource = requires(Source& source, typename Source::State& state,
+                                const Eigen::Vector3d& point, double half_side,
+                                const LatticeIndex& low, BlockValues<Source::kBlockCells>& block) {
+  { source.classify(point, half_side, state) } -> std::same_as<Occupancy>;
+  source.sample(low, block);
+};
+
+/// Divides a cube depth first. The cells of sampled blocks are judged by their corners' signs.
 template <OctreeSource Source>
 class OctreeDivision {
  public:
-  OctreeDivision(const OctreeRoot& root, const Source& source)
-      : root_(root), source_(source), corners_(Corner{}) {}
+  OctreeDivision(const OctreeRoot& root, Source& source) : root_(root), source_(source) {}
 
   SparseField run() {
     field_.origin = root_.origin;
@@ -51,29 +61,26 @@ class OctreeDivision {
   }
 
  private:
-  enum class Known : std::uint8_t { nothing, proven, unproven };
-  struct Corner {
-    float value = 0.0f;
-    Known known = Known::nothing;
-  };
-
-  // Of the 27 points of a cube of two cells a side, those that are corners of its first cell.
-  static constexpr std::uint32_t kCellCorners =
-      1u | 1u << 1 | 1u << 3 | 1u << 4 | 1u << 9 | 1u << 10 | 1u << 12 | 1u << 13;
+  static constexpr std::int32_t kCells = Source::kBlockCells;
+  using Block = BlockValues<kCells>;
+  static constexpr std::size_t kSide = Block::kSide;
+  static_assert(kCells == 2 || kCells == 4);
 
   void visit(const LatticeIndex& low, int level, typename Source::State state) {
     const std::int32_t side = root_.cells() >> level;
     const double half_side = 0.5 * side * root_.cell_size;
     SparseField::Level& counts = field_.levels[static_cast<std::size_t>(level)];
     ++counts.visited;
-    const Occupancy occupancy =
-        source_.classify(point_at(low) + Eigen::Vector3d::Constant(half_side), half_side, state);
+    const Eigen::Vector3d center = root_.origin +
+                                   root_.cell_size * Eigen::Vector3d(low[0], low[1], low[2]) +
+                                   Eigen::Vector3d::Constant(half_side);
+    const Occupancy occupancy = source_.classify(center, half_side, state);
     if (occupancy == Occupancy::outside) {
       ++counts.outside;
     } else if (occupancy == Occupancy::inside && !touches_root_face(low, side)) {
       ++counts.inside;
-    } else if (side == 2) {
-      sample_cells(low);
+    } else if (side == kCells) {
+      sample_cells(low, level);
     } else {
       const std::int32_t half = side / 2;
       for (int i = 0; i < 8; ++i) {
@@ -83,54 +90,63 @@ class OctreeDivision {
     }
   }
 
-  void sample_cells(const LatticeIndex& low) {
-    std::array<Corner, 27> corners;
-    std::uint32_t inside = 0, unproven = 0;  // bit i: corner i
-    for (std::int32_t i = 0; i < 27; ++i) {
-      const Corner& corner = corner_at({low[0] + i % 3, low[1] + i / 3 % 3, low[2] + i / 9});
-      corners[static_cast<std::size_t>(i)] = corner;
-      inside |= (corner.value > 0.0f ? 1u : 0u) << i;
-      unproven |= (corner.known == Known::unproven ? 1u : 0u) << i;
+  void sample_cells(const LatticeIndex& low, int level) {
+    source_.sample(low, block_);
+    if (touches_root_face(low, kCells)) close_root_faces(low);
+    for (int below = level + 1, cells = 8; below <= root_.depth; ++below, cells *= 8) {
+      field_.levels[static_cast<std::size_t>(below)].visited += static_cast<std::size_t>(cells);
     }
+    // Along each row of points, bit x: inside.
+    std::array<std::uint32_t, kSide * kSide> rows;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      rows[row] = 0;
+      for (std::size_t x = 0; x < kSide; ++x) {
+        rows[row] |= (block_.field[row * kSide + x] > 0.0f ? 1u : 0u) << x;
+      }
+    }
+    constexpr std::uint32_t kEveryCell = (1u << kCells) - 1;
     SparseField::Level& counts = field_.levels.back();
-    counts.visited += 8;
-    for (std::int32_t cell = 0; cell < 8; ++cell) {
-      const std::int32_t x = cell & 1, y = cell >> 1 & 1, z = cell >> 2;
-      const std::int32_t first = x + 3 * y + 9 * z;
-      const std::uint32_t mask = kCellCorners << first;
-      if ((inside & mask) == 0) {
-        ++counts.outside;
-        continue;
+    for (std::int32_t z = 0; z < kCells; ++z) {
+      for (std::int32_t y = 0; y < kCells; ++y) {
+        const std::size_t row = static_cast<std::size_t>(z) * kSide + static_cast<std::size_t>(y);
+        const std::uint32_t any =
+            rows[row] | rows[row + 1] | rows[row + kSide] | rows[row + kSide + 1];
+        const std::uint32_t all =
+            rows[row] & rows[row + 1] & rows[row + kSide] & rows[row + kSide + 1];
+        const std::uint32_t some_inside = (any | any >> 1) & kEveryCell;
+        const std::uint32_t whole = all & all >> 1 & kEveryCell;
+        counts.outside += static_cast<std::size_t>(kCells - std::popcount(some_inside));
+        counts.inside += static_cast<std::size_t>(std::popcount(whole));
+        for (std::uint32_t crossed = some_inside & ~whole; crossed != 0; crossed &= crossed - 1) {
+          add_leaf(low, {std::countr_zero(crossed), y, z});
+        }
       }
-      if ((inside & mask) == mask) {
-        ++counts.inside;
-        continue;
-      }
-      OctreeLeaf& leaf = field_.leaves.emplace_back();
-      leaf.index = {low[0] + x, low[1] + y, low[2] + z};
-      for (std::int32_t i = 0; i < 8; ++i) {
-        leaf.field[static_cast<std::size_t>(i)] =
-            corners[static_cast<std::size_t>(first + (i & 1) + 3 * (i >> 1 & 1) + 9 * (i >> 2))]
-                .value;
-      }
-      leaf.unproven = (unproven & mask) != 0;
     }
   }
 
-  const Corner& corner_at(const LatticeIndex& index) {
-    Corner& corner = corners_[index];
-    if (corner.known != Known::nothing) return corner;
-    bool unproven = false;
-    corner.value = source_.sample(point_at(index), unproven);
-    if (corner.value > 0.0f && touches_root_face(index, 0)) {
-      corner.value = -static_cast<float>(root_.cell_size);
+  void add_leaf(const LatticeIndex& low, const LatticeIndex& cell) {
+    OctreeLeaf& leaf = field_.leaves.emplace_back();
+    leaf.index = {low[0] + cell[0], low[1] + cell[1], low[2] + cell[2]};
+    const auto first =
+        static_cast<std::size_t>(cell[0]) +
+        kSide * (static_cast<std::size_t>(cell[1]) + kSide * static_cast<std::size_t>(cell[2]));
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::size_t at = first + (i & 1) + kSide * ((i >> 1 & 1) + kSide * (i >> 2));
+      leaf.field[i] = block_.field[at];
+      leaf.unproven |= block_.unproven[at] != 0 && block_.field[at] > 0.0f;
     }
-    corner.known = unproven && corner.value > 0.0f ? Known::unproven : Known::proven;
-    return corner;
   }
 
-  Eigen::Vector3d point_at(const LatticeIndex& index) const {
-    return root_.origin + root_.cell_size * Eigen::Vector3d(index[0], index[1], index[2]);
+  // Points on the root's faces count as outside.
+  void close_root_faces(const LatticeIndex& low) {
+    for (std::size_t i = 0; i < Block::kPoints; ++i) {
+      const LatticeIndex point = {low[0] + static_cast<std::int32_t>(i % kSide),
+                                  low[1] + static_cast<std::int32_t>(i / kSide % kSide),
+                                  low[2] + static_cast<std::int32_t>(i / (kSide * kSide))};
+      if (block_.field[i] > 0.0f && touches_root_face(point, 0)) {
+        block_.field[i] = -static_cast<float>(root_.cell_size);
+      }
+    }
   }
 
   // Whether a cube (a point, for side 0) reaches the faces on which everything is outside.
@@ -142,8 +158,8 @@ class OctreeDivision {
   }
 
   OctreeRoot root_;
-  const Source& source_;
-  LatticeMap<Corner> corners_;
+  Source& source_;
+  Block block_;
   SparseField field_;
 };
 

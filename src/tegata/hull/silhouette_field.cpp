@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "tegata/base/error.h"
-#include "tegata/image/distance_transform.h"
+#include "tegata/image/banded_distance.h"
 
 namespace tegata {
 namespace {
@@ -17,7 +18,6 @@ constexpr double kSlack = 1e-6;
 // Around the foreground, distances are measured so far [px]; beyond they go on as a straight line.
 constexpr int kDistanceMargin = 4;
 constexpr std::size_t kRememberedViews = 64;
-constexpr int kMostDissentingViews = 15;
 
 bool is_foreground(PixelLabel label) { return label != PixelLabel::background; }
 
@@ -33,6 +33,10 @@ void check_view(const HullView& view) {
     throw Error("hull: camera '", view.camera.name, "': got a silhouette of ",
                 view.silhouette.width(), " x ", view.silhouette.height(),
                 ", expected the camera's ", view.camera.width, " x ", view.camera.height);
+  }
+  if (view.camera.width < 2 || view.camera.height < 2) {
+    throw Error("hull: camera '", view.camera.name, "': got a picture of ", view.camera.width,
+                " x ", view.camera.height, " pixels, expected 2 x 2 or more");
   }
 }
 
@@ -50,7 +54,7 @@ std::size_t resolve_least_views(const HullOptions& options, std::size_t view_cou
     throw Error("hull: got least_views = ", least, ", expected 1 to the number of views, ", count,
                 ", or 0 for more than half of them");
   }
-  const int most = std::min(least - 1, kMostDissentingViews);
+  const int most = std::min(least - 1, static_cast<int>(kMostDissentingViews));
   if (options.dissenting_views < 0 || options.dissenting_views > most) {
     throw Error("hull: got dissenting_views = ", options.dissenting_views, ", expected 0 to ", most,
                 ": fewer than the ", least, " views that must see a point");
@@ -78,9 +82,9 @@ Eigen::AlignedBox2i foreground_box(const Silhouette& silhouette) {
 }  // namespace
 
 SilhouetteField::SilhouetteField(const std::vector<HullView>& views, const HullOptions& options)
-    : least_views_(resolve_least_views(options, views.size())),
-      dissenting_views_(static_cast<std::size_t>(options.dissenting_views)),
-      outside_value_(-static_cast<float>(options.voxel_size)) {
+    : rule_{.least_views = resolve_least_views(options, views.size()),
+            .dissenting_views = static_cast<std::size_t>(options.dissenting_views),
+            .outside_value = -static_cast<float>(options.voxel_size)} {
   std::string empty_views;
   std::size_t empty_count = 0;
   bool has_hand = false;
@@ -94,7 +98,7 @@ SilhouetteField::SilhouetteField(const std::vector<HullView>& views, const HullO
     if (!views_.back().foreground.isEmpty()) continue;
     empty_views += text(empty_count++ == 0 ? "'" : ", '", source.camera.name, "'");
   }
-  if (empty_count > dissenting_views_) {
+  if (empty_count > rule_.dissenting_views) {
     throw Error("hull: the silhouette of ", empty_views,
                 " is all background, expected hand pixels in every view (or unknown ones where "
                 "something stands before the hand): is the mask or the segmentation right?");
@@ -138,28 +142,83 @@ SilhouetteField::View SilhouetteField::make_view(const HullView& source) {
   return view;
 }
 
-void SilhouetteField::measure_distances() {
+void SilhouetteField::prepare_sampling(const OctreeRoot& root) {
+  // What a few roundings of single precision make of a sum of terms.
+  constexpr float kRounding = 4.0f * std::numeric_limits<float>::epsilon();
+  sampled_views_.clear();
   for (View& view : views_) {
-    const Silhouette& silhouette = view.source->silhouette;
-    Eigen::AlignedBox2i box = view.foreground;
-    if (box.isEmpty()) box.extend(Eigen::Vector2i(0, 0));
-    const Eigen::Vector2i last(silhouette.width() - 1, silhouette.height() - 1);
-    const Eigen::Vector2i low = (box.min().array() - kDistanceMargin).max(0);
-    const Eigen::Vector2i high = (box.max().array() + kDistanceMargin).min(last.array());
-    Silhouette part(high.x() - low.x() + 1, high.y() - low.y() + 1);
-    for (int y = 0; y < part.height(); ++y) {
-      for (int x = 0; x < part.width(); ++x) part(x, y) = silhouette(low.x() + x, low.y() + y);
+    SampledView& sampled = sampled_views_.emplace_back(sampled_view(view, root));
+    std::array<float, 3> terms = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      terms[i] = std::abs(sampled.origin[i]);
+      for (const auto& step : sampled.steps) {
+        terms[i] += static_cast<float>(root.cells()) * std::abs(step[i]);
+      }
     }
-    view.distance = signed_distance(part, is_foreground);
-    view.distance_origin = low.cast<double>();
+    sampled.least_depth = kRounding * terms[2];
+    view.rounding =
+        static_cast<double>(kRounding * std::max(terms[0], terms[1]) +
+                            std::max(sampled.width, sampled.height) * sampled.least_depth);
   }
+}
+
+SampledView SilhouetteField::sampled_view(const View& view, const OctreeRoot& root) {
+  SampledView sampled;
+  const Eigen::Vector3d first = view.pixel_from_world * root.origin + view.pixel_offset;
+  double nearest = first.z();  // depth of the root cube
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    sampled.origin[i] = static_cast<float>(first[row]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double step =
+          root.cell_size * view.pixel_from_world(row, static_cast<Eigen::Index>(axis));
+      sampled.steps[axis][i] = static_cast<float>(step);
+      if (i == 2) nearest += std::min(0.0, root.cells() * step);
+    }
+  }
+  sampled.width = static_cast<float>(view.width);
+  sampled.height = static_cast<float>(view.height);
+  sampled.metres_per_pixel = view.metres_per_pixel;
+
+  // The diagonal of a cell: so far from the edge can a corner of a leaf lie.
+  const Camera& camera = view.source->camera;
+  const double focal_length = std::max(camera.fx, camera.fy);
+  const double slant = 1.0 + std::max(view.width, view.height) / focal_length;
+  const double diagonal = std::sqrt(3.0) * root.cell_size * focal_length * slant / nearest;
+  const int band =
+      nearest > 0.0 && diagonal < kMostBand - 2 ? static_cast<int>(diagonal) + 2 : kMostBand;
+
+  const Silhouette& silhouette = view.source->silhouette;
+  Eigen::AlignedBox2i box = view.foreground;
+  if (box.isEmpty()) box.extend(Eigen::Vector2i(0, 0));
+  const Eigen::Vector2i last(silhouette.width() - 1, silhouette.height() - 1);
+  const Eigen::Vector2i low = (box.min().array() - kDistanceMargin).max(0);
+  const Eigen::Vector2i high = (box.max().array() + kDistanceMargin).min(last.array());
+  const int width = high.x() - low.x() + 1, height = high.y() - low.y() + 1;
+  Image<std::uint8_t> mask(width, height);
+  if (view.has_unknown) sampled.unknown = Image<float>(width, height, 0.0f);
+  for (int y = 0; y < height; ++y) {
+    const PixelLabel* row = &silhouette(low.x(), low.y() + y);
+    for (int x = 0; x < width; ++x) {
+      mask(x, y) = static_cast<std::uint8_t>(row[x]);
+      if (view.has_unknown && row[x] == PixelLabel::unknown) sampled.unknown(x, y) = 1.0f;
+    }
+  }
+  sampled.distance = banded_distance(mask, band);
+  sampled.left = static_cast<float>(low.x());
+  sampled.top = static_cast<float>(low.y());
+  return sampled;
+}
+
+void SilhouetteField::sample(const LatticeIndex& low, SilhouetteBlock& block) const {
+  sample_block(sampled_views_, rule_, low, instruction_set_, block);
 }
 
 SilhouetteField SilhouetteField::without(std::size_t view) const {
   SilhouetteField rest = *this;
   rest.views_.erase(rest.views_.begin() + static_cast<std::ptrdiff_t>(view));
-  rest.least_views_ = std::min(least_views_, rest.views_.size());
-  rest.dissenting_views_ = std::min(dissenting_views_, rest.least_views_ - 1);
+  rest.rule_.least_views = std::min(rule_.least_views, rest.views_.size());
+  rest.rule_.dissenting_views = std::min(rule_.dissenting_views, rest.rule_.least_views - 1);
   return rest;
 }
 
@@ -184,8 +243,9 @@ bool SilhouetteField::misses_frustum(const View& view, const Eigen::Vector3d& h,
   for (int axis = 0; axis < 2; ++axis) {
     const double last = (axis == 0 ? view.width : view.height) - 0.5;
     const double below = h[axis] + 0.5 * h.z(), above = h[axis] - last * h.z();
-    if (below + half_side * (m.row(axis) + 0.5 * m.row(2)).cwiseAbs().sum() < 0.0) return true;
-    if (above - half_side * (m.row(axis) - last * m.row(2)).cwiseAbs().sum() > 0.0) return true;
+    const double below_reach = half_side * (m.row(axis) + 0.5 * m.row(2)).cwiseAbs().sum();
+    const double above_reach = half_side * (m.row(axis) - last * m.row(2)).cwiseAbs().sum();
+    if (below + below_reach < -view.rounding || above - above_reach > view.rounding) return true;
   }
   return false;
 }
@@ -202,9 +262,9 @@ SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen:
   }
   // For a point at center + d the pixel is off by (m0 - x m2) . d / (depth there), exactly.
   const double x = h.x() / h.z(), y = h.y() / h.z();
-  const double scale = half_side / nearest;
-  const double reach_x = scale * (m.row(0) - x * m.row(2)).cwiseAbs().sum() + kSlack;
-  const double reach_y = scale * (m.row(1) - y * m.row(2)).cwiseAbs().sum() + kSlack;
+  const double scale = half_side / nearest, slack = kSlack + view.rounding / nearest;
+  const double reach_x = scale * (m.row(0) - x * m.row(2)).cwiseAbs().sum() + slack;
+  const double reach_y = scale * (m.row(1) - y * m.row(2)).cwiseAbs().sum() + slack;
   const double left = x - reach_x, right = x + reach_x, top = y - reach_y, bottom = y + reach_y;
   if (right < -0.5 || bottom < -0.5 || left > view.width - 0.5 || top > view.height - 0.5) {
     return {Verdict::blind, false};
@@ -248,7 +308,7 @@ Occupancy SilhouetteField::classify(const Eigen::Vector3d& center, double half_s
     switch (judgement.verdict) {
       case Verdict::outside:
         state.outside |= bit;
-        if (++outside > dissenting_views_) return Occupancy::outside;
+        if (++outside > rule_.dissenting_views) return Occupancy::outside;
         break;
       case Verdict::blind:
         state.blind |= bit;
@@ -271,55 +331,11 @@ Occupancy SilhouetteField::classify(const Eigen::Vector3d& center, double half_s
   // A point that survives is seen by so many views at most: of those that see background wherever
   // they see anything, no more than may still dissent.
   const std::size_t most_views = views_.size() - blind - outside_in_part +
-                                 std::min(outside_in_part, dissenting_views_ - outside);
-  if (most_views < least_views_) return Occupancy::outside;
+                                 std::min(outside_in_part, rule_.dissenting_views - outside);
+  if (most_views < rule_.least_views) return Occupancy::outside;
   const std::size_t may_object = views_.size() - content - blind;
-  return may_object <= dissenting_views_ && see_all >= least_views_ ? Occupancy::inside
-                                                                    : Occupancy::mixed;
-}
-
-float SilhouetteField::distance_at(const View& view, double x, double y) {
-  const Image<float>& image = view.distance;
-  const double local_x = x - view.distance_origin.x(), local_y = y - view.distance_origin.y();
-  const int left = static_cast<int>(local_x), top = static_cast<int>(local_y);
-  if (local_x >= 0.0 && local_y >= 0.0 && left + 1 < image.width() && top + 1 < image.height()) {
-    const float u = static_cast<float>(local_x - left), v = static_cast<float>(local_y - top);
-    const float* upper = &image(left, top);
-    const float* lower = upper + image.width();
-    const float above = upper[0] + u * (upper[1] - upper[0]);
-    const float below = lower[0] + u * (lower[1] - lower[0]);
-    return above + v * (below - above);
-  }
-  const float value = sample_bilinear(image, local_x, local_y);
-  if (value > 0.0f) return value;
-  const double beyond_x = std::max({0.0, -local_x, local_x - (image.width() - 1)});
-  const double beyond_y = std::max({0.0, -local_y, local_y - (image.height() - 1)});
-  return value - static_cast<float>(beyond_x + beyond_y);
-}
-
-float SilhouetteField::sample(const Eigen::Vector3d& point, bool& unproven) const {
-  std::array<float, kMostDissentingViews + 2> smallest{};  // in rising order
-  std::size_t seeing = 0, against = 0;
-  for (const View& view : views_) {
-    const Eigen::Vector3d h = view.pixel_from_world * point + view.pixel_offset;
-    if (!(h.z() > 0.0)) continue;
-    const double x = h.x() / h.z(), y = h.y() / h.z();
-    if (!(x >= -0.5 && y >= -0.5 && x < view.width - 0.5 && y < view.height - 0.5)) continue;
-    const float pixels = distance_at(view, x, y);
-    const float value = pixels * static_cast<float>(h.z()) * view.metres_per_pixel;
-    const bool is_unknown =
-        view.has_unknown &&
-        view.source->silhouette(static_cast<int>(x + 0.5), static_cast<int>(y + 0.5)) ==
-            PixelLabel::unknown;
-    against += is_unknown || !(pixels > 0.0f) ? 1 : 0;
-    std::size_t place = std::min(seeing, dissenting_views_ + 1);
-    for (; place > 0 && smallest[place - 1] > value; --place) smallest[place] = smallest[place - 1];
-    smallest[place] = value;
-    ++seeing;
-  }
-  if (seeing < least_views_) return outside_value_;
-  unproven = against > dissenting_views_;
-  return smallest[dissenting_views_];
+  return may_object <= rule_.dissenting_views && see_all >= rule_.least_views ? Occupancy::inside
+                                                                              : Occupancy::mixed;
 }
 
 }  // namespace tegata

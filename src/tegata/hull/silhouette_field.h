@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tegata/hull/block_sampling.h"
 #include "tegata/hull/visual_hull.h"
 
 namespace tegata {
@@ -28,10 +29,12 @@ class SilhouetteField {
   };
   Occupancy classify(const Eigen::Vector3d& center, double half_side, State& state) const;
 
-  /// How far inside the silhouettes a point is [m]. Needs measure_distances().
-  float sample(const Eigen::Vector3d& point, bool& unproven) const;
-  /// Prepares sample(); classify() needs it not.
-  void measure_distances();
+  /// Prepares sample() for the lattice of an octree; classify() needs it not, but is then as
+  /// careful as sample()'s rounding asks for.
+  void prepare_sampling(const OctreeRoot& root);
+  /// How far inside the silhouettes the lattice points of a block are [m].
+  static constexpr int kBlockCells = 4;
+  void sample(const LatticeIndex& low, SilhouetteBlock& block) const;
 
   /// The same without one view, and with as many views asked for as are left.
   SilhouetteField without(std::size_t view) const;
@@ -52,8 +55,7 @@ class SilhouetteField {
     Eigen::AlignedBox2i foreground;   ///< of pixels that are hand or unknown; empty without any
     std::vector<std::uint32_t> sums;  ///< of such pixels above and left, over the foreground's box
     bool has_unknown = false;
-    Image<float> distance;            ///< signed, around the foreground
-    Eigen::Vector2d distance_origin;  ///< pixel of the picture where `distance` begins
+    double rounding = 0.0;  ///< of sample()'s pixels, times the depth [px m]
   };
   enum class Verdict : std::uint8_t {
     blind,
@@ -71,11 +73,12 @@ class SilhouetteField {
   static bool misses_frustum(const View& view, const Eigen::Vector3d& h, double half_side);
   static Judgement judge(const View& view, const Eigen::Vector3d& center, double half_side);
   static std::uint32_t count_foreground(const View& view, const Eigen::AlignedBox2i& pixels);
-  static float distance_at(const View& view, double x, double y);
+  static SampledView sampled_view(const View& view, const OctreeRoot& root);
 
   std::vector<View> views_;
-  std::size_t least_views_ = 2, dissenting_views_ = 0;
-  float outside_value_ = -1.0f;
+  SamplingRule rule_;
+  std::vector<SampledView> sampled_views_;
+  InstructionSet instruction_set_ = best_instruction_set();
 };
 
 }  // namespace tegata

@@ -15,8 +15,9 @@ namespace {
 
 SparseField carve_field(SilhouetteField& field, const Eigen::AlignedBox3d& region,
                         double voxel_size) {
-  field.measure_distances();
-  return OctreeDivision<SilhouetteField>(root_around(region, voxel_size), field).run();
+  const OctreeRoot root = root_around(region, voxel_size);
+  field.prepare_sampling(root);
+  return OctreeDivision<SilhouetteField>(root, field).run();
 }
 
 }  // namespace

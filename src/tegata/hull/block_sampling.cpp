@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/hull/block_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace tegata {
+namespace {
+
+constexpr std::size_t kLanes = SilhouetteBlock::kLanes;
+constexpr float kNobody = std::numeric_limits<float>::infinity();
+
+using Lanes = std::array<float, kLanes>;
+
+// Lattice points of the block, by lane; those past the last repeat the first.
+struct BlockPoints {
+  alignas(64) Lanes x, y, z;
+};
+
+constexpr BlockPoints make_offsets() {
+  BlockPoints offsets{};
+  for (std::size_t i = 0; i < SilhouetteBlock::kPoints; ++i) {
+    constexpr std::size_t kSide = SilhouetteBlock::kSide;
+    offsets.x[i] = static_cast<float>(i % kSide);
+    offsets.y[i] = static_cast<float>(i / kSide % kSide);
+    offsets.z[i] = static_cast<float>(i / (kSide * kSide));
+  }
+  return offsets;
+}
+constexpr BlockPoints kOffsets = make_offsets();
+
+// Where a view sees each point.
+struct Projections {
+  alignas(64) Lanes x, y;   // from the distance image's first pixel [px]
+  alignas(64) Lanes depth;  // [m]
+  alignas(64) Lanes seen;   // 1 or 0
+};
+
+// What it says of them.
+struct Words {
+  alignas(64) Lanes field;    // [m]; kNobody where the view does not see the point
+  alignas(64) Lanes against;  // 1 where it does not see the hand itself there, else 0
+};
+
+// Conditions are numbers here and below: that is what compilers make vectors of.
+TEGATA_KERNEL float one_if(bool condition) { return condition ? 1.0f : 0.0f; }
+
+TEGATA_KERNEL void project(const SampledView& view, const BlockPoints& points,
+                           Projections& projections) {
+  const std::array<float, 3> o = view.origin, a = view.steps[0], b = view.steps[1],
+                             c = view.steps[2];
+  const float right = view.width - 0.5f, bottom = view.height - 0.5f;
+  const float left = view.left, top = view.top, least_depth = view.least_depth;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const float px = points.x[i], py = points.y[i], pz = points.z[i];
+    const float depth = (o[2] + px * a[2]) + (py * b[2] + pz * c[2]);
+    const float inverse = 1.0f / depth;
+    const float x = ((o[0] + px * a[0]) + (py * b[0] + pz * c[0])) * inverse;
+    const float y = ((o[1] + px * a[1]) + (py * b[1] + pz * c[1])) * inverse;
+    projections.depth[i] = depth;
+    projections.x[i] = x - left;
+    projections.y[i] = y - top;
+    projections.seen[i] = one_if(depth > least_depth) * one_if(x >= -0.5f) * one_if(y >= -0.5f) *
+                          one_if(x < right) * one_if(y < bottom);
+  }
+}
+
+// `value` limited to 0 .. last; 0 for what is not a number.
+TEGATA_KERNEL float limited(float value, float last) {
+  const float positive = value > 0.0f ? value : 0.0f;
+  return positive < last ? positive : last;
+}
+
+TEGATA_KERNEL void ask_view(const SampledView& view, const Projections& projections, Words& words) {
+  const float* const distance = view.distance.values().data();
+  const std::int32_t stride = view.distance.width(), last_row = view.distance.height() - 2;
+  const float last_x = static_cast<float>(stride - 1), last_y = static_cast<float>(last_row + 1);
+  const float metres_per_pixel = view.metres_per_pixel;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const float x = projections.x[i], y = projections.y[i];
+    const float in_x = limited(x, last_x), in_y = limited(y, last_y);
+    const std::int32_t column = std::min(static_cast<std::int32_t>(in_x), stride - 2);
+    const std::int32_t row = std::min(static_cast<std::int32_t>(in_y), last_row);
+    const float u = in_x - static_cast<float>(column), v = in_y - static_cast<float>(row);
+    const std::int32_t above = row * stride + column, below = above + stride;
+    const float upper = distance[above] + u * (distance[above + 1] - distance[above]);
+    const float lower = distance[below] + u * (distance[below + 1] - distance[below]);
+    const float within = upper + v * (lower - upper);
+    const float beyond = std::abs(x - in_x) + std::abs(y - in_y);
+    const float pixels = within - (within > 0.0f ? 0.0f : beyond);
+    const float seen = projections.seen[i];
+    const float field = pixels * projections.depth[i] * metres_per_pixel;
+    words.field[i] = seen > 0.0f ? field : kNobody;
+    words.against[i] = seen * one_if(!(pixels > 0.0f));
+  }
+}
+
+// Adds the points whose nearest pixel is unknown to those that speak against the hand.
+TEGATA_KERNEL void ask_unknown(const SampledView& view, const Projections& projections,
+                               Words& words) {
+  const float* const unknown = view.unknown.values().data();
+  const std::int32_t stride = view.unknown.width();
+  const float last_x = static_cast<float>(stride - 1);
+  const float last_y = static_cast<float>(view.unknown.height() - 1);
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const auto column = static_cast<std::int32_t>(limited(projections.x[i] + 0.5f, last_x));
+    const auto row = static_cast<std::int32_t>(limited(projections.y[i] + 0.5f, last_y));
+    const float marked = unknown[row * stride + column] * projections.seen[i];
+    words.against[i] = std::max(words.against[i], marked);
+  }
+}
+
+TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingRule& rule,
+                          const LatticeIndex& low, SilhouetteBlock& block) {
+  BlockPoints points;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    points.x[i] = static_cast<float>(low[0]) + kOffsets.x[i];
+    points.y[i] = static_cast<float>(low[1]) + kOffsets.y[i];
+    points.z[i] = static_cast<float>(low[2]) + kOffsets.z[i];
+  }
+  alignas(64) std::array<Lanes, kMostDissentingViews + 1> smallest;  // in rising order
+  const std::size_t kept = rule.dissenting_views + 1;
+  for (std::size_t k = 0; k < kept; ++k) smallest[k].fill(kNobody);
+  alignas(64) Lanes seeing{}, against{};
+  Projections projections;
+  Words words;
+  for (const SampledView& view : views) {
+    project(view, points, projections);
+    ask_view(view, projections, words);
+    if (!view.unknown.empty()) ask_unknown(view, projections, words);
+    for (std::size_t i = 0; i < kLanes; ++i) seeing[i] += projections.seen[i];
+    for (std::size_t i = 0; i < kLanes; ++i) against[i] += words.against[i];
+    for (std::size_t k = 0; k < kept; ++k) {
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        const float held = smallest[k][i], field = words.field[i];
+        smallest[k][i] = std::min(held, field);
+        words.field[i] = std::max(held, field);
+      }
+    }
+  }
+  const float least = static_cast<float>(rule.least_views);
+  const float outside_value = rule.outside_value;
+  const float dissenting = static_cast<float>(rule.dissenting_views);
+  const Lanes& rank = smallest[rule.dissenting_views];
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    block.field[i] = seeing[i] < least ? outside_value : rank[i];
+  }
+  for (std::size_t i = 0; i < kLanes; ++i) block.unproven[i] = against[i] > dissenting ? 1 : 0;
+}
+
+using Sample = void(const std::vector<SampledView>&, const SamplingRule&, const LatticeIndex&,
+                    SilhouetteBlock&);
+
+void sample_baseline(const std::vector<SampledView>& views, const SamplingRule& rule,
+                     const LatticeIndex& low, SilhouetteBlock& block) {
+  sample(views, rule, low, block);
+}
+TEGATA_AVX2 void sample_avx2(const std::vector<SampledView>& views, const SamplingRule& rule,
+                             const LatticeIndex& low, SilhouetteBlock& block) {
+  sample(views, rule, low, block);
+}
+TEGATA_AVX512 void sample_avx512(const std::vector<SampledView>& views, const SamplingRule& rule,
+                                 const LatticeIndex& low, SilhouetteBlock& block) {
+  sample(views, rule, low, block);
+}
+
+}  // namespace
+
+void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule,
+                  const LatticeIndex& low, InstructionSet set, SilhouetteBlock& block) {
+  constexpr std::array<Sample*, 3> kSamples = {sample_baseline, sample_avx2, sample_avx512};
+  kSamples[static_cast<std::size_t>(set)](views, rule, low, block);
+}
+
+}  // namespace tegata

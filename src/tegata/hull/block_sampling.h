@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "tegata/base/instruction_set.h"
+#include "tegata/hull/octree_division.h"
+#include "tegata/image/image.h"
+
+namespace tegata {
+
+/// What the field of silhouettes needs of one view, on the lattice of an octree.
+struct SampledView {
+  /// Homogeneous pixel (x times depth, y times depth, depth [m]) of the lattice's first point, and
+  /// what one cell along each axis adds to it.
+  std::array<float, 3> origin;
+  std::array<std::array<float, 3>, 3> steps;
+  float width = 0.0f, height = 0.0f;  ///< of the picture [px]
+  float metres_per_pixel = 0.0f;      ///< at a depth of 1 m
+  float least_depth = 0.0f;           ///< nothing nearer is seen [m]
+  /// Signed distance to the silhouette's edge [px], and 1 where a pixel is unknown (empty where
+  /// none is), in the part of the picture that begins at pixel (left, top); at least 2 x 2. Beyond
+  /// it the distance goes on as a straight line and nothing is unknown.
+  Image<float> distance, unknown;
+  float left = 0.0f, top = 0.0f;
+};
+
+/// How the views' words are weighed; see HullOptions.
+struct SamplingRule {
+  std::size_t least_views = 2;
+  std::size_t dissenting_views = 0;  ///< at most kMostDissentingViews
+  float outside_value = -1.0f;       ///< where too few views see a point [m]
+};
+inline constexpr std::size_t kMostDissentingViews = 15;
+
+using SilhouetteBlock = BlockValues<4>;
+
+/// The field at the points of a block: the (dissenting_views + 1)th smallest of how far inside
+/// their silhouettes' edges the views that see the point say that it is [m]. Every instruction set
+/// gives the same bits; it must be supported.
+void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule,
+                  const LatticeIndex& low, InstructionSet set, SilhouetteBlock& block);
+
+}  // namespace tegata
