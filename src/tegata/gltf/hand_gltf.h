@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tegata/hand/hand_model.h"
@@ -18,6 +19,10 @@ namespace tegata {
 /// same. Throws Error naming the file and what is missing or out of range in it. `side` says which
 /// hand it is; joints that can only be those of the other hand are an Error.
 HandModel read_hand_gltf(const std::filesystem::path& file, Side side);
+
+/// The same from the bytes of a file that refers to no other file. `name` is what the hand and
+/// errors are called by.
+HandModel parse_hand_gltf(std::string_view bytes, Side side, const std::string& name);
 
 /// One frame of an animation.
 struct HandKeyframe {

@@ -3,7 +3,11 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
+#include <iterator>
+#include <limits>
 #include <optional>
 
 #include "tegata/base/error.h"
@@ -14,6 +18,8 @@
 namespace tegata {
 namespace {
 
+constexpr std::size_t kGlbJson = 20;  // where the JSON of a GLB begins, its length 8 before
+constexpr int kDeepestNesting = 200;
 constexpr double kSamePlace = 0.001;  // [m]: to which the file's joints must agree with its notes
 
 std::string one_line(std::string message) {
@@ -28,21 +34,56 @@ bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, in
   return true;
 }
 
-tinygltf::Model load(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::array<char, 4> magic = {};
-  if (!stream.read(magic.data(), magic.size())) {
-    throw Error("it cannot be read, or is no file of four bytes or more");
+/// The JSON of a file: of GLB the first chunk, which tinygltf checks once more.
+std::string_view json_of(std::string_view bytes, bool is_binary) {
+  if (!is_binary) return bytes;
+  std::uint32_t length = 0;
+  if (bytes.size() < kGlbJson) return {};
+  std::memcpy(&length, &bytes[kGlbJson - 8], sizeof length);
+  return bytes.substr(kGlbJson, length);
+}
+
+/// Lists within lists are read by functions that call themselves, so that a file of brackets alone
+/// would use up the stack.
+void check_nesting(std::string_view json) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      in_string = c != '"';
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kDeepestNesting) {
+        throw Error("its JSON is nested more than ", kDeepestNesting, " deep");
+      }
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
   }
-  stream.close();
+}
+
+/// `folder` is where files that the bytes refer to are looked for; without one that is an Error.
+tinygltf::Model load(std::string_view bytes, const std::optional<std::filesystem::path>& folder) {
+  if (bytes.size() > std::numeric_limits<unsigned int>::max()) {
+    throw Error("it has ", bytes.size(), " bytes, expected less than 4 GB");
+  }
+  const bool is_binary = bytes.starts_with("glTF");
+  check_nesting(json_of(bytes, is_binary));
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(&skip_image, nullptr);
+  if (!folder) loader.SetFsCallbacks({});
   tinygltf::Model model;
   std::string error, warning;
-  const bool is_binary = std::string_view(magic.data(), magic.size()) == "glTF";
-  const bool is_loaded = is_binary
-                             ? loader.LoadBinaryFromFile(&model, &error, &warning, file.string())
-                             : loader.LoadASCIIFromFile(&model, &error, &warning, file.string());
+  const auto size = static_cast<unsigned int>(bytes.size());
+  const std::string base = folder ? folder->string() : std::string();
+  const bool is_loaded =
+      is_binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                              reinterpret_cast<const unsigned char*>(bytes.data()),
+                                              size, base)
+                : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, base);
   if (!is_loaded) throw Error("it is not glTF 2.0: ", one_line(error));
   return model;
 }
@@ -116,17 +157,29 @@ HandModel hand_of(const tinygltf::Model& file, Side side) {
   return model;
 }
 
-}  // namespace
-
-HandModel read_hand_gltf(const std::filesystem::path& file, Side side) {
+HandModel hand_in(std::string_view bytes, Side side, const std::filesystem::path& file,
+                  const std::optional<std::filesystem::path>& folder) {
   try {
-    HandModel model = hand_of(load(file), side);
+    HandModel model = hand_of(load(bytes, folder), side);
     model.name = file.stem().string();
     check_hand(model);
     return model;
   } catch (const std::exception& problem) {
     throw Error(file.string(), ": ", one_line(problem.what()));
   }
+}
+
+}  // namespace
+
+HandModel read_hand_gltf(const std::filesystem::path& file, Side side) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream) throw Error(file.string(), ": cannot be opened or read");
+  return hand_in(bytes, side, file, file.parent_path());
+}
+
+HandModel parse_hand_gltf(std::string_view bytes, Side side, const std::string& name) {
+  return hand_in(bytes, side, name, std::nullopt);
 }
 
 }  // namespace tegata
