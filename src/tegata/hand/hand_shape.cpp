@@ -46,6 +46,33 @@ constexpr double kTabulatedLength = 0.446 + 0.266 + 0.170 + 0.108;
 // the fingers' pads, the model having no turn of its own for that (17 degrees in Cooney 1981).
 constexpr double kThumbAxisTilt = 15.0 * kDegree;
 
+struct Measured {
+  double mean, deviation;  // [mm]
+};
+
+// Adults by sex. Hand length (wrist crease to tip) and breadth (at the knuckles): Gordon et al.,
+// 1988 Anthropometric survey of U.S. Army personnel, Natick/TR-89/044. Thickness of the palm at the
+// third metacarpal's head and breadth of the index finger at its PIP joint: Pheasant, Bodyspace,
+// 1986, British adults. The percentile of a hand is taken for all of them at once, and all digits'
+// thickness follows the index finger's.
+struct Anthropometry {
+  Measured length, breadth, thickness, index_breadth;
+};
+constexpr Anthropometry kWomen = {{180.5, 9.7}, {79.4, 3.8}, {28.0, 2.0}, {18.0, 1.0}};
+constexpr Anthropometry kMen = {{193.8, 9.8}, {90.4, 4.2}, {33.0, 2.0}, {21.0, 1.0}};
+// Of the built-in hand: finger_thickness 1 at the default palm_breadth.
+constexpr double kIndexBreadth = 19.2;  // [mm]
+
+/// The number of standard deviations that a share of a normal distribution lies below.
+double normal_quantile(double share) {
+  double low = -9.0, high = 9.0;
+  while (high - low > 1e-12) {
+    const double middle = 0.5 * (low + high);
+    (0.5 * std::erfc(-middle / std::numbers::sqrt2) < share ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 Eigen::Vector3d turned(const Eigen::Vector3d& vector, const Eigen::Vector3d& axis, double angle) {
   return Eigen::AngleAxisd(angle, axis) * vector;
 }
@@ -58,6 +85,24 @@ void check_size(std::string_view name, double got, double least, double most) {
 
 }  // namespace
 
+HandShape HandShape::percentile(double percentile, Sex sex) {
+  if (!(percentile > 0.0 && percentile < 100.0)) {
+    throw Error("hand shape: percentile is ", percentile, ", expected above 0 and below 100");
+  }
+  const Anthropometry& adults = sex == Sex::female ? kWomen : kMen;
+  const double deviations = normal_quantile(0.01 * percentile);
+  const auto size = [&](const Measured& measured) {
+    return 0.001 * (measured.mean + deviations * measured.deviation);
+  };
+  HandShape shape;
+  shape.length = size(adults.length);
+  shape.palm_breadth = size(adults.breadth);
+  shape.palm_thickness = size(adults.thickness);
+  shape.finger_thickness = size(adults.index_breadth) /
+                           (0.001 * kIndexBreadth * shape.palm_breadth / HandShape().palm_breadth);
+  return shape;
+}
+
 void check_shape(const HandShape& shape) {
   const HandShape mean;
   check_size("length", shape.length, 0.5 * mean.length, 1.5 * mean.length);
@@ -66,6 +111,11 @@ void check_shape(const HandShape& shape) {
              1.5 * mean.palm_thickness);
   check_size("finger_thickness", shape.finger_thickness, 0.5, 1.5);
   check_size("forearm_length", shape.forearm_length, 0.02, 0.3);
+  check_size("palm_length", shape.palm_length, 0.6, 1.5);
+  for (const double thickness : shape.digit_thickness) {
+    check_size("digit_thickness", thickness, 0.5, 1.5);
+  }
+  for (const double factor : shape.bone_lengths) check_size("bone_lengths", factor, 0.6, 1.5);
 }
 
 NeutralDigit neutral_digit(std::size_t digit) {
@@ -86,39 +136,45 @@ NeutralDigit neutral_digit(std::size_t digit) {
   return neutral;
 }
 
+double bone_length(const HandShape& shape, int bone) {
+  const auto index = static_cast<std::size_t>(bone - 1);
+  return shape.bone_lengths[index] * kDigits[index / 3].links[index % 3] * shape.length /
+         kTabulatedLength;
+}
+
 Skeleton right_skeleton(const HandShape& shape) {
   check_shape(shape);
-  const double length = shape.length / kTabulatedLength, breadth = shape.palm_breadth;
+  const double length = shape.palm_length * shape.length / kTabulatedLength;
+  const double breadth = shape.palm_breadth;
   Skeleton skeleton;
   skeleton.side = Side::right;
   skeleton.keypoints[0].setZero();
-  for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
-    const DigitProportions& part = kDigits[digit];
-    const NeutralDigit neutral = neutral_digit(digit);
+  for (int digit = 0; digit < kDigitCount; ++digit) {
+    const auto d = static_cast<std::size_t>(digit);
+    const DigitProportions& part = kDigits[d];
+    const NeutralDigit neutral = neutral_digit(d);
     Eigen::Vector3d joint(-part.across * breadth, part.along * length, -part.palmwards * breadth);
-    for (std::size_t i = 0; i < 4; ++i) {
-      skeleton.keypoints[1 + 4 * digit + i] = joint;
-      skeleton.axes[4 * digit + i] = neutral.axes[i];
-      if (i < 3) joint += part.links[i] * length * neutral.along;
+    for (int i = 0; i < 4; ++i) {
+      const auto within = static_cast<std::size_t>(i);
+      skeleton.keypoints[1 + 4 * d + within] = joint;
+      skeleton.axes[4 * d + within] = neutral.axes[within];
+      if (i < 3) joint += bone_length(shape, 1 + 3 * digit + i) * neutral.along;
     }
   }
   return skeleton;
 }
 
-JointAngles meshing_angles(const HandShape& shape) {
-  JointAngles degrees;
-  degrees << 25.0, 0.0, 12.0, 12.0,  // thumb
-      10.0, 14.0, 20.0, 10.0,        // index
-      0.0, 14.0, 20.0, 10.0,         // middle
-      10.0, 14.0, 20.0, 10.0,        // ring
-      16.0, 14.0, 20.0, 10.0;        // little
-  // How thick the fingers are for their length, against the mean hand.
-  const HandShape mean;
-  const double thickness = shape.finger_thickness * (shape.palm_breadth / mean.palm_breadth) /
-                           (shape.length / mean.length);
-  const double spread = std::clamp(1.0 + 1.7 * (thickness - 1.0), 0.8, 2.0);
-  for (const int angle : {4, 12, 16}) degrees[angle] *= spread;
-  return degrees * kDegree;
+const JointAngles& meshing_angles() {
+  static const JointAngles angles = [] {
+    JointAngles degrees;
+    degrees << 25.0, 0.0, 12.0, 12.0,  // thumb
+        10.0, 14.0, 20.0, 10.0,        // index
+        0.0, 14.0, 20.0, 10.0,         // middle
+        10.0, 14.0, 20.0, 10.0,        // ring
+        16.0, 14.0, 20.0, 10.0;        // little
+    return JointAngles(degrees * kDegree);
+  }();
+  return angles;
 }
 
 }  // namespace tegata

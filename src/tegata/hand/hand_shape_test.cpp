@@ -122,6 +122,44 @@ TEST(HandShape, InTheFlatHandAllPadsAreOnThePalmsSide) {
   }
 }
 
+TEST(HandShape, PercentilesAreThoseOfTheSurveys) {
+  const HandShape woman = HandShape::percentile(50, Sex::female);
+  EXPECT_NEAR(woman.length, 0.1805, 1e-6);
+  EXPECT_NEAR(woman.palm_breadth, 0.0794, 1e-6);
+  const HandShape man = HandShape::percentile(95, Sex::male);
+  EXPECT_NEAR(man.length, 0.1938 + 1.6449 * 0.0098, 1e-6);
+  EXPECT_GT(man.palm_thickness, woman.palm_thickness);
+  EXPECT_NO_THROW(check_shape(man));
+}
+
+TEST(HandShape, PercentilesMirrorAboutTheMedian) {
+  const double low = HandShape::percentile(10, Sex::male).length;
+  const double high = HandShape::percentile(90, Sex::male).length;
+  EXPECT_NEAR(0.5 * (low + high), HandShape::percentile(50, Sex::male).length, 1e-9);
+}
+
+TEST(HandShape, RefusesPercentilesWithoutAHand) {
+  for (const double percentile : {0.0, 100.0, -3.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(HandShape::percentile(percentile, Sex::male), Error);
+  }
+}
+
+TEST(HandShape, BonesHaveTheLengthsAskedFor) {
+  HandShape shape;
+  shape.bone_lengths[4] = 1.25;
+  shape.palm_length = 1.1;
+  const Skeleton mean = right_skeleton(HandShape()), other = right_skeleton(shape);
+  for (int bone = 1; bone < kBoneCount; ++bone) {
+    const auto far = static_cast<std::size_t>(distal_keypoint(bone));
+    const double length = (other.keypoints[far] - other.keypoints[far - 1]).norm();
+    EXPECT_NEAR(length, bone_length(shape, bone), 1e-12);
+    EXPECT_NEAR(length,
+                (bone == 5 ? 1.25 : 1.0) * (mean.keypoints[far] - mean.keypoints[far - 1]).norm(),
+                1e-12);
+  }
+  EXPECT_NEAR(other.keypoints[9].y(), 1.1 * mean.keypoints[9].y(), 1e-12);
+}
+
 TEST(CheckShape, NamesTheSizeThatIsNotAHands) {
   HandShape shape;
   shape.palm_breadth = 84.0;

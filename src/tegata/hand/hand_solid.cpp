@@ -50,14 +50,12 @@ constexpr PalmPart kPalmParts[] = {
     {0.0, 2.0, -1.0, 25.0, 2.0, 26.0, -2.0, 27.0, 0.62},
 };
 
-// The webs between the fingers, which grow and move outwards with the fingers' thickness: where
-// thick fingers lean on each other there must be no hole below.
+// The webs between the fingers.
 constexpr PalmPart kWebParts[] = {
     {-17.0, 94.0, -4.0, 7.5, -4.0, 96.0, -4.0, 7.5, 0.9},
     {4.0, 95.0, -4.0, 7.5, 15.0, 90.0, -5.0, 7.5, 0.9},
     {20.0, 88.0, -5.0, 7.0, 31.0, 81.0, -7.0, 6.5, 0.9},
 };
-constexpr double kWebShift = 20.0;  // [mm] outwards for a finger of twice the thickness
 
 /// A digit's half breadths in the mean hand [mm]: at its first joint, the next two and in the tip.
 /// Within the ranges of finger breadths in Greiner, Hand anthropometry of U.S. Army personnel,
@@ -100,45 +98,36 @@ double RoundedCone::field(const Eigen::Vector3d& point) const {
   return (radius_ + taper_ * ball - std::hypot(axial - ball, radial)) * steepness_;
 }
 
-HandSolid::HandSolid(const HandShape& shape, const Skeleton& skeleton, const JointAngles& angles) {
+HandSolid::HandSolid(const Skeleton& skeleton, const JointAngles& angles) {
   const Transforms transforms = bone_transforms(skeleton, angles);
-  add_palm(shape);
-  add_thumb(shape, skeleton, transforms);
+  add_palm();
+  add_thumb(skeleton, transforms);
   for (std::size_t digit = 1; digit < kDigitCount; ++digit) {
-    add_finger(shape, skeleton, transforms, digit);
+    add_finger(skeleton, transforms, digit);
   }
 }
 
-void HandSolid::add_palm(const HandShape& shape) {
-  const HandShape mean;
-  const double breadth = shape.palm_breadth / mean.palm_breadth;
-  const double thickness = shape.palm_thickness / mean.palm_thickness;
-  const Eigen::Vector3d scale =
-      kMillimetre * Eigen::Vector3d(breadth, shape.length / mean.length, thickness);
+void HandSolid::add_palm() {
   const Eigen::Vector3d dorsal = Eigen::Vector3d::UnitZ();
-  const auto add = [&](const PalmPart& part, double shift, double swell) {
-    palm_.emplace_back(
-        RoundedCone::Ends{scale.cwiseProduct(Eigen::Vector3d(part.ax, part.ay + shift, part.az)),
-                          scale.cwiseProduct(Eigen::Vector3d(part.bx, part.by + shift, part.bz)),
-                          scale.x() * swell * part.radius_a, scale.x() * swell * part.radius_b},
-        dorsal, part.flatness * thickness / breadth);
+  const auto add = [&](const PalmPart& part) {
+    palm_.emplace_back(RoundedCone::Ends{kMillimetre * Eigen::Vector3d(part.ax, part.ay, part.az),
+                                         kMillimetre * Eigen::Vector3d(part.bx, part.by, part.bz),
+                                         kMillimetre * part.radius_a, kMillimetre * part.radius_b},
+                       dorsal, part.flatness);
   };
-  for (const PalmPart& part : kPalmParts) add(part, 0.0, 1.0);
-  const double swell = std::max(shape.finger_thickness, 1.0);
-  for (const PalmPart& part : kWebParts) add(part, kWebShift * (swell - 1.0), swell);
+  for (const PalmPart& part : kPalmParts) add(part);
+  for (const PalmPart& part : kWebParts) add(part);
   // The forearm, on past where it is cut off.
-  forearm_end_ = -shape.forearm_length;
-  const double wrist = 26.0 * scale.x(), beyond = forearm_end_ - wrist;
+  forearm_end_ = -HandShape().forearm_length;
+  const double wrist = 26.0 * kMillimetre, beyond = forearm_end_ - wrist;
   palm_.emplace_back(
-      RoundedCone::Ends{
-          {0.0, 0.0, -0.001 * thickness}, {0.001, beyond, 0.0}, wrist, wrist - 0.05 * beyond},
-      dorsal, 0.69 * thickness / breadth);
+      RoundedCone::Ends{{0.0, 0.0, -0.001}, {0.001, beyond, 0.0}, wrist, wrist - 0.05 * beyond},
+      dorsal, 0.69);
 }
 
-void HandSolid::add_finger(const HandShape& shape, const Skeleton& skeleton,
-                           const Transforms& transforms, std::size_t digit) {
-  const double scale =
-      kMillimetre * shape.finger_thickness * shape.palm_breadth / HandShape().palm_breadth;
+void HandSolid::add_finger(const Skeleton& skeleton, const Transforms& transforms,
+                           std::size_t digit) {
+  constexpr double scale = kMillimetre;
   const Eigen::Vector3d flexion = skeleton.axes[4 * digit + 1];
   for (std::size_t i = 0; i < 3; ++i) {
     const Rigid3d& bone = transforms[1 + 3 * digit + i];
@@ -161,10 +150,9 @@ void HandSolid::add_finger(const HandShape& shape, const Skeleton& skeleton,
   }
 }
 
-void HandSolid::add_thumb(const HandShape& shape, const Skeleton& skeleton,
-                          const Transforms& transforms) {
-  add_finger(shape, skeleton, transforms, 0);
-  const double scale = kMillimetre * shape.palm_breadth / HandShape().palm_breadth;
+void HandSolid::add_thumb(const Skeleton& skeleton, const Transforms& transforms) {
+  add_finger(skeleton, transforms, 0);
+  constexpr double scale = kMillimetre;
   const Rigid3d& metacarpal = transforms[1];
   const Eigen::Vector3d& near = skeleton.keypoints[1];
   const Eigen::Vector3d way = skeleton.keypoints[2] - near;

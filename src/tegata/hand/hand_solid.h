@@ -36,8 +36,9 @@ class RoundedCone {
 /// digit, run together smoothly; digits run into the palm but not into each other.
 class HandSolid {
  public:
-  /// The solid of a right hand in the hand's frame, bent as the angles say.
-  HandSolid(const HandShape& shape, const Skeleton& skeleton, const JointAngles& angles);
+  /// The solid of the mean right hand (the default HandShape, whose skeleton this is) in the hand's
+  /// frame, bent as the angles say.
+  HandSolid(const Skeleton& skeleton, const JointAngles& angles);
 
   /// Positive inside, nowhere steeper than 1 [m].
   double field(const Eigen::Vector3d& point) const;
@@ -45,11 +46,10 @@ class HandSolid {
   Eigen::AlignedBox3d box() const;
 
  private:
-  void add_palm(const HandShape& shape);
-  void add_finger(const HandShape& shape, const Skeleton& skeleton,
-                  const std::array<Rigid3d, kBoneCount>& transforms, std::size_t digit);
-  void add_thumb(const HandShape& shape, const Skeleton& skeleton,
-                 const std::array<Rigid3d, kBoneCount>& transforms);
+  void add_palm();
+  void add_finger(const Skeleton& skeleton, const std::array<Rigid3d, kBoneCount>& transforms,
+                  std::size_t digit);
+  void add_thumb(const Skeleton& skeleton, const std::array<Rigid3d, kBoneCount>& transforms);
 
   std::vector<RoundedCone> palm_;
   std::array<std::vector<RoundedCone>, kDigitCount> digits_;
