@@ -88,6 +88,9 @@ bool fill(const Loop& loop, std::size_t first, std::size_t last,
 CubeCase make_case(unsigned inside) {
   CubeCase result;
   auto next = segments(inside);
+  for (std::uint8_t edge = 0; edge < 12; ++edge) {
+    if (next[edge] != kNotCrossed) result.edges.push_back(edge);
+  }
   for (std::uint8_t start = 0; start < 12; ++start) {
     Loop loop;
     for (std::uint8_t edge = start; next[edge] != kNotCrossed;) {

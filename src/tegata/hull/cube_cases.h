@@ -12,6 +12,7 @@ namespace tegata {
 /// inside or outside. Corner i is at (i & 1, i >> 1 & 1, i >> 2). Edges are numbered 0 to 11, four
 /// along x, four along y, four along z.
 struct CubeCase {
+  std::vector<std::uint8_t> edges;  ///< that the surface crosses
   /// Corners are edges' numbers, or 12 + i for the middle of loop i of `centered_loops`;
   /// counter-clockwise seen from outside.
   std::vector<std::array<std::uint8_t, 3>> triangles;

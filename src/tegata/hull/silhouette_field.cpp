@@ -19,6 +19,7 @@ constexpr double kSlack = 1e-6;
 constexpr int kDistanceMargin = 4;
 constexpr std::size_t kRememberedViews = 64;
 
+static_assert(static_cast<int>(PixelLabel::background) == 0);
 bool is_foreground(PixelLabel label) { return label != PixelLabel::background; }
 
 void check_view(const HullView& view) {
@@ -62,15 +63,16 @@ std::size_t resolve_least_views(const HullOptions& options, std::size_t view_cou
   return static_cast<std::size_t>(least);
 }
 
-// The box of all pixels that are not background. Rows are searched from both ends.
+// The box of all pixels that are not background. What lies between is not looked at.
 Eigen::AlignedBox2i foreground_box(const Silhouette& silhouette) {
   Eigen::AlignedBox2i box;
   const int width = silhouette.width();
   for (int y = 0; y < silhouette.height(); ++y) {
-    const PixelLabel* row = silhouette.values().data() +
-                            static_cast<std::ptrdiff_t>(y) * static_cast<std::ptrdiff_t>(width);
+    const PixelLabel* row = &silhouette(0, y);
+    std::uint8_t any = 0;  // cheaper than a search, and most rows have nothing
+    for (int x = 0; x < width; ++x) any |= static_cast<std::uint8_t>(row[x]);
+    if (any == 0) continue;
     const PixelLabel* first = std::find_if(row, row + width, is_foreground);
-    if (first == row + width) continue;
     const PixelLabel* last = row + width - 1;
     while (!is_foreground(*last)) --last;
     box.extend(Eigen::Vector2i(static_cast<int>(first - row), y));

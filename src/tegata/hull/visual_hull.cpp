@@ -5,6 +5,7 @@
 #include "tegata/base/error.h"
 #include "tegata/base/stopwatch.h"
 #include "tegata/hull/hull_region.h"
+#include "tegata/hull/leaf_components.h"
 #include "tegata/hull/marching_cubes.h"
 #include "tegata/hull/octree_division.h"
 #include "tegata/hull/silhouette_field.h"
@@ -48,9 +49,9 @@ TriangleMesh visual_hull(const std::vector<HullView>& views, const HullOptions& 
   }
 
   const Stopwatch extracting;
-  TriangleMesh mesh = extract_isosurface(carved);
+  TriangleMesh mesh =
+      extract_isosurface(without_small_components(carved, options.smallest_component));
   made.raw_triangle_count = mesh.triangles.size();
-  mesh = without_small_components(mesh, options.smallest_component);
   made.isosurface_seconds = extracting.seconds();
 
   const Stopwatch simplifying;

@@ -6,8 +6,10 @@
 #include "tegata/image/banded_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "tegata/base/error.h"
@@ -34,25 +36,66 @@ Image<std::int16_t> column_distances(const Image<std::uint8_t>& inside, std::int
   return steps;
 }
 
-// For each x the least of heights[x + q] + q^2 over -band <= q <= band. `heights` begins `band`
-// entries before x = 0 and goes on as far behind the last.
-void sample_envelope(const std::vector<std::int16_t>& heights, int band,
-                     std::vector<std::int16_t>& least) {
-  const std::size_t width = least.size();
-  std::fill(least.begin(), least.end(), heights.front());
+// Columns are taken so many at a time.
+constexpr std::size_t kChunk = 64;
+
+// One row: what each pixel looks for has these squared steps along the columns. Both begin `band`
+// entries before the first pixel and go on as far, and a chunk, behind the last.
+struct RowHeights {
+  std::vector<std::int16_t> to_outside, to_inside;
+};
+
+// For each x of a chunk the least of heights[x + q] + q^2 over 0 <= q <= 2 band, less the band.
+TEGATA_KERNEL void least_of_parabolas(const std::int16_t* heights, int band, std::int16_t* least) {
+  std::array<std::int16_t, kChunk> lowest;
+  lowest.fill(std::numeric_limits<std::int16_t>::max());
   for (int q = -band; q <= band; ++q) {
-    const std::int16_t* shifted = heights.data() + (band + q);
+    const std::int16_t* shifted = heights + (band + q);
     const auto square = static_cast<std::int16_t>(q * q);
-    for (std::size_t x = 0; x < width; ++x) {
+    for (std::size_t x = 0; x < kChunk; ++x) {
       const auto height = static_cast<std::int16_t>(shifted[x] + square);
-      least[x] = height < least[x] ? height : least[x];
+      lowest[x] = height < lowest[x] ? height : lowest[x];
+    }
+  }
+  for (std::size_t x = 0; x < kChunk; ++x) least[x] = lowest[x];
+}
+
+// The distances of a row of `columns` pixels.
+TEGATA_KERNEL void measure_row(const RowHeights& heights, int band, const std::uint8_t* kind,
+                               std::size_t columns, float* distance) {
+  const float limit = static_cast<float>(band);
+  for (std::size_t first = 0; first < columns; first += kChunk) {
+    std::array<std::int16_t, kChunk> outside, inside;
+    least_of_parabolas(heights.to_outside.data() + first, band, outside.data());
+    least_of_parabolas(heights.to_inside.data() + first, band, inside.data());
+    const std::size_t count = std::min(kChunk, columns - first);
+    for (std::size_t x = 0; x < count; ++x) {
+      const bool is_inside = kind[first + x] != 0;
+      const float squared = static_cast<float>(is_inside ? outside[x] : inside[x]);
+      const float length = std::min(std::sqrt(squared) - 0.5f, limit);
+      distance[first + x] = is_inside ? length : -length;
     }
   }
 }
 
+using MeasureRow = void(const RowHeights&, int, const std::uint8_t*, std::size_t, float*);
+
+void measure_row_baseline(const RowHeights& heights, int band, const std::uint8_t* kind,
+                          std::size_t columns, float* distance) {
+  measure_row(heights, band, kind, columns, distance);
+}
+TEGATA_AVX2 void measure_row_avx2(const RowHeights& heights, int band, const std::uint8_t* kind,
+                                  std::size_t columns, float* distance) {
+  measure_row(heights, band, kind, columns, distance);
+}
+TEGATA_AVX512 void measure_row_avx512(const RowHeights& heights, int band, const std::uint8_t* kind,
+                                      std::size_t columns, float* distance) {
+  measure_row(heights, band, kind, columns, distance);
+}
+
 }  // namespace
 
-Image<float> banded_distance(const Image<std::uint8_t>& mask, int band) {
+Image<float> banded_distance(const Image<std::uint8_t>& mask, int band, InstructionSet set) {
   if (band < 1 || band > kMostBand) {
     throw Error("distance: got a band of ", band, " pixels, expected 1 to ", kMostBand);
   }
@@ -64,28 +107,24 @@ Image<float> banded_distance(const Image<std::uint8_t>& mask, int band) {
   const Image<std::int16_t> steps = column_distances(inside, far);
 
   // A pixel looks for the other kind: which has height 0, or the steps to it along the column.
-  const auto columns = static_cast<std::size_t>(width);
-  const auto margin = static_cast<std::size_t>(band);
-  const auto far_squared = static_cast<std::int16_t>(far * far);
-  std::vector<std::int16_t> to_outside(columns + 2 * margin, far_squared), to_inside = to_outside;
-  std::vector<std::int16_t> outside_least(columns), inside_least(columns);
+  constexpr std::array<MeasureRow*, 3> kMeasureRow = {measure_row_baseline, measure_row_avx2,
+                                                      measure_row_avx512};
+  const auto columns = static_cast<std::size_t>(width), margin = static_cast<std::size_t>(band);
+  RowHeights heights;
+  heights.to_outside.assign(columns + 2 * margin + kChunk, static_cast<std::int16_t>(far * far));
+  heights.to_inside = heights.to_outside;
   Image<float> distance(width, height);
   for (int y = 0; y < height; ++y) {
     const std::uint8_t* kind = &inside(0, y);
     const std::int16_t* step = &steps(0, y);
+    std::int16_t* to_outside = heights.to_outside.data() + margin;
+    std::int16_t* to_inside = heights.to_inside.data() + margin;
     for (std::size_t x = 0; x < columns; ++x) {
       const auto squared = static_cast<std::int16_t>(step[x] * step[x]);
-      to_outside[margin + x] = static_cast<std::int16_t>(squared * kind[x]);
-      to_inside[margin + x] = static_cast<std::int16_t>(squared * (1 - kind[x]));
+      to_outside[x] = static_cast<std::int16_t>(squared * kind[x]);
+      to_inside[x] = static_cast<std::int16_t>(squared * (1 - kind[x]));
     }
-    sample_envelope(to_outside, band, outside_least);
-    sample_envelope(to_inside, band, inside_least);
-    float* result = &distance(0, y);
-    for (std::size_t x = 0; x < columns; ++x) {
-      const auto squared = static_cast<float>(kind[x] != 0 ? outside_least[x] : inside_least[x]);
-      const float length = std::min(std::sqrt(squared) - 0.5f, static_cast<float>(band));
-      result[x] = kind[x] != 0 ? length : -length;
-    }
+    kMeasureRow[static_cast<std::size_t>(set)](heights, band, kind, columns, &distance(0, y));
   }
   return distance;
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "tegata/base/instruction_set.h"
 #include "tegata/image/image.h"
 
 namespace tegata {
@@ -12,7 +13,9 @@ namespace tegata {
 inline constexpr int kMostBand = 120;
 
 /// signed_distance() of distance_transform.h, limited to -band .. band [px], of the set of pixels
-/// that are not zero. Far cheaper where the band is narrow. `band` is 1 to kMostBand.
-Image<float> banded_distance(const Image<std::uint8_t>& mask, int band);
+/// that are not zero. Far cheaper where the band is narrow. `band` is 1 to kMostBand; every
+/// instruction set gives the same bits.
+Image<float> banded_distance(const Image<std::uint8_t>& mask, int band,
+                             InstructionSet set = best_instruction_set());
 
 }  // namespace tegata

@@ -22,6 +22,9 @@ void expect_limited_exact(const Image<std::uint8_t>& mask, int band) {
   const Image<float> exact =
       signed_distance(silhouette, [](PixelLabel label) { return label == PixelLabel::hand; });
   const Image<float> banded = banded_distance(mask, band);
+  for (const InstructionSet set : kInstructionSets) {
+    ASSERT_TRUE(!is_supported(set) || banded_distance(mask, band, set) == banded);
+  }
   const auto limit = static_cast<float>(band);
   for (int y = 0; y < mask.height(); ++y) {
     for (int x = 0; x < mask.width(); ++x) {

@@ -120,6 +120,9 @@ void divide_crowded_edges(TriangleMesh& mesh) {
       if (!mesh.unproven.empty()) {
         mesh.unproven.push_back(std::max(mesh.unproven[up.low], mesh.unproven[up.high]));
       }
+      if (!mesh.normals.empty()) {
+        mesh.normals.push_back((mesh.normals[up.low] + mesh.normals[up.high]).stableNormalized());
+      }
       middles[up.corner / 3][up.corner % 3] = middles[down.corner / 3][down.corner % 3] = vertex;
       any = true;
     });
@@ -159,6 +162,7 @@ void separate_fans(TriangleMesh& mesh) {
       vertex_of_fan[fan] = static_cast<std::uint32_t>(mesh.vertices.size());
       mesh.vertices.push_back(Eigen::Vector3d(mesh.vertices[vertex]));
       if (!mesh.unproven.empty()) mesh.unproven.push_back(std::uint8_t{mesh.unproven[vertex]});
+      if (!mesh.normals.empty()) mesh.normals.push_back(Eigen::Vector3d(mesh.normals[vertex]));
     }
     separated[corner / 3][corner % 3] = vertex_of_fan[fan];
   }
@@ -168,10 +172,8 @@ void separate_fans(TriangleMesh& mesh) {
 }  // namespace
 
 TriangleMesh as_manifold(const TriangleMesh& mesh) {
-  TriangleMesh manifold{.vertices = mesh.vertices,
-                        .triangles = without_back_to_back(mesh.triangles),
-                        .normals = {},
-                        .unproven = mesh.unproven};
+  TriangleMesh manifold = mesh;
+  manifold.triangles = without_back_to_back(mesh.triangles);
   divide_crowded_edges(manifold);
   separate_fans(manifold);
   return without_unused_vertices(manifold);

@@ -9,8 +9,8 @@ namespace tegata {
 /// The same surface as a 2-manifold. Two triangles that lie back to back on the same corners are
 /// dropped. Where more than two triangles meet in an edge, those that bound the same piece of the
 /// inside stay together and the other pairs get a vertex of their own in the middle of the edge; a
-/// vertex that joins several fans is doubled. Marks are carried over, normals are left empty. A
-/// closed, oriented mesh stays so; edges with an odd number of triangles are left as they are.
+/// vertex that joins several fans is doubled. Normals and marks are carried over. A closed,
+/// oriented mesh stays so; edges with an odd number of triangles are left as they are.
 TriangleMesh as_manifold(const TriangleMesh& mesh);
 
 }  // namespace tegata

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "tegata/base/error.h"
+#include "tegata/mesh/closest_point.h"
 #include "tegata/mesh/shapes_for_tests.h"
 
 namespace tegata {
@@ -20,8 +25,39 @@ TEST(Simplify, KeepsTheShapeAndStaysClosed) {
   EXPECT_TRUE(topology.oriented);
   EXPECT_TRUE(topology.manifold);
   EXPECT_EQ(topology.euler_number, 0);
+}
+
+TEST(Simplify, KeepsTheNormalsOfTheFineSurface) {
+  TriangleMesh mesh = shapes::torus(0.10, 0.03, 100, 40);
+  mesh.normals = vertex_normals(mesh);
+  const TriangleMesh coarse = simplify(mesh, 500);
   ASSERT_EQ(coarse.normals.size(), coarse.vertices.size());
-  for (const Eigen::Vector3d& normal : coarse.normals) EXPECT_NEAR(normal.norm(), 1.0, 1e-9);
+  for (std::size_t v = 0; v < coarse.vertices.size(); ++v) {
+    const auto same = std::find(mesh.vertices.begin(), mesh.vertices.end(), coarse.vertices[v]);
+    ASSERT_NE(same, mesh.vertices.end());
+    EXPECT_EQ(coarse.normals[v],
+              mesh.normals[static_cast<std::size_t>(same - mesh.vertices.begin())]);
+  }
+}
+
+TEST(Simplify, StopsAtTheLargestError) {
+  const TriangleMesh mesh = shapes::torus(0.10, 0.03, 200, 80);
+  const NearestSurface fine(mesh);
+  std::size_t last_count = mesh.triangles.size();
+  for (const double largest_error : {1e-5, 1e-4, 1e-3}) {
+    const TriangleMesh coarse = simplify(mesh, 0, largest_error);
+    EXPECT_LT(coarse.triangles.size(), last_count) << largest_error;
+    last_count = coarse.triangles.size();
+    EXPECT_TRUE(inspect_topology(coarse).manifold);
+    const NearestSurface surface(coarse);
+    double squares = 0.0;
+    for (const Eigen::Vector3d& vertex : mesh.vertices) {
+      squares += (surface.nearest(vertex).point - vertex).squaredNorm();
+    }
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(mesh.vertices.size())), largest_error);
+  }
+  EXPECT_GT(last_count, 100u);
+  EXPECT_THROW(simplify(mesh, 0, -1.0), Error);
 }
 
 TEST(Simplify, LeavesNoEdgeToFourTrianglesWhereThinPartsCollapse) {

@@ -163,22 +163,4 @@ TriangleMesh without_unused_vertices(const TriangleMesh& mesh) {
   return compact;
 }
 
-TriangleMesh without_small_components(const TriangleMesh& mesh, double fraction) {
-  DisjointSets vertices(mesh.vertices.size());
-  for (const Triangle& t : mesh.triangles) {
-    vertices.unite(t[0], t[1]);
-    vertices.unite(t[1], t[2]);
-  }
-  std::vector<std::uint32_t> size(mesh.vertices.size(), 0);  // triangles, by their piece's root
-  for (const Triangle& t : mesh.triangles) ++size[vertices.root(t[0])];
-  const double least =
-      size.empty() ? 0.0
-                   : fraction * static_cast<double>(*std::max_element(size.begin(), size.end()));
-  TriangleMesh large = mesh;
-  std::erase_if(large.triangles, [&](const Triangle& t) {
-    return static_cast<double>(size[vertices.root(t[0])]) < least;
-  });
-  return without_unused_vertices(large);
-}
-
 }  // namespace tegata

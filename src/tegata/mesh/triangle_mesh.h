@@ -54,8 +54,4 @@ void check_mesh(const TriangleMesh& mesh);
 /// marks.
 TriangleMesh without_unused_vertices(const TriangleMesh& mesh);
 
-/// The mesh without the pieces, connected by vertices, that have less than `fraction` of the
-/// largest piece's triangles, and without vertices that are no longer in use.
-TriangleMesh without_small_components(const TriangleMesh& mesh, double fraction);
-
 }  // namespace tegata

@@ -117,21 +117,6 @@ TEST(TriangleMesh, NormalsThatCancelAreZeroAndNotNoise) {
   }
 }
 
-TEST(TriangleMesh, DropsSmallPiecesAndTheirVertices) {
-  TriangleMesh mesh = unit_cube();
-  append(mesh, torus(3.0, 0.3, 30, 10));  // 600 triangles
-  mesh.unproven.assign(mesh.vertices.size(), 1);
-  mesh.normals = vertex_normals(mesh);
-  const TriangleMesh large = without_small_components(mesh, 0.1);
-  EXPECT_EQ(large.triangles.size(), 600u);
-  EXPECT_EQ(large.vertices.size(), 300u);
-  EXPECT_EQ(large.unproven.size(), 300u);
-  EXPECT_EQ(large.normals.size(), 300u);
-  EXPECT_EQ(inspect_topology(large).euler_number, 0);
-  EXPECT_EQ(without_small_components(mesh, 12.0 / 600.0).triangles.size(), 612u);
-  EXPECT_TRUE(without_small_components(TriangleMesh{}, 0.5).triangles.empty());
-}
-
 TEST(TriangleMesh, RefusesIndicesOutOfRangeAndNumbersThatAreNotFinite) {
   TriangleMesh mesh = unit_cube();
   EXPECT_NO_THROW(check_mesh(mesh));
