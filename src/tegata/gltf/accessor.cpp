@@ -13,6 +13,9 @@
 namespace tegata {
 namespace {
 
+// So many elements of a hand would take a GB of memory in doubles.
+constexpr std::size_t kMostElements = std::size_t{1} << 23;
+
 template <typename T>
 double number_at(const unsigned char* bytes, bool normalized) {
   T value;
@@ -40,6 +43,93 @@ double component(const unsigned char* bytes, int type, bool normalized) {
       return number_at<std::uint32_t>(bytes, normalized);
     default:
       return number_at<float>(bytes, normalized);
+  }
+}
+
+/// Where numbers begin.
+struct Place {
+  int view = -1;
+  std::size_t offset = 0;  // [bytes]
+};
+
+struct Elements {
+  int component_type = 0;
+  int components = 0;  // an element
+  bool normalized = false;
+  std::size_t count = 0;
+};
+
+std::vector<double> read_elements(const tinygltf::Model& model, const Place& place,
+                                  const Elements& elements, const std::string& what) {
+  const auto size = static_cast<std::ptrdiff_t>(
+      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(elements.component_type)));
+  if (size <= 0 || elements.component_type == TINYGLTF_COMPONENT_TYPE_DOUBLE) {
+    throw Error(what, ": unknown component type ", elements.component_type);
+  }
+  if (place.view < 0 || static_cast<std::size_t>(place.view) >= model.bufferViews.size()) {
+    throw Error(what, ": buffer view ", place.view, " is not among the file's ",
+                model.bufferViews.size());
+  }
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(place.view)];
+  if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model.buffers.size()) {
+    throw Error(what, ": buffer ", view.buffer, " is not among the file's ", model.buffers.size());
+  }
+  const std::vector<unsigned char>& bytes =
+      model.buffers[static_cast<std::size_t>(view.buffer)].data;
+  const auto width = static_cast<std::size_t>(size);
+  const std::size_t element = width * static_cast<std::size_t>(elements.components);
+  const std::size_t stride = view.byteStride == 0 ? element : view.byteStride;
+  const std::size_t available = bytes.size();
+  // Each step is checked before it is added, as any of these may be as large as a file says.
+  bool fits = view.byteOffset <= available && view.byteLength <= available - view.byteOffset &&
+              place.offset <= view.byteLength;
+  if (fits && elements.count > 0) {
+    const std::size_t room = view.byteLength - place.offset;
+    fits = element <= room && (elements.count - 1) <= (room - element) / stride;
+  }
+  if (!fits) throw Error(what, ": ", elements.count, " elements reach out of their buffer");
+
+  std::vector<double> numbers;
+  numbers.reserve(elements.count * static_cast<std::size_t>(elements.components));
+  const unsigned char* start = bytes.data() + view.byteOffset + place.offset;
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    for (std::size_t c = 0; c < static_cast<std::size_t>(elements.components); ++c) {
+      numbers.push_back(
+          component(start + i * stride + c * width, elements.component_type, elements.normalized));
+    }
+  }
+  return numbers;
+}
+
+std::size_t offset_of(int offset, const std::string& what) {
+  if (offset < 0) throw Error(what, ": a sparse part begins at byte ", offset);
+  return static_cast<std::size_t>(offset);
+}
+
+/// Replaces the few elements that a sparse accessor lists.
+void replace_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor,
+                    const Elements& elements, const std::string& what,
+                    std::vector<double>& numbers) {
+  const auto& sparse = accessor.sparse;
+  if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > elements.count) {
+    throw Error(what, ": ", sparse.count, " sparse elements of ", elements.count);
+  }
+  const auto count = static_cast<std::size_t>(sparse.count);
+  const std::vector<double> places =
+      read_elements(model, {sparse.indices.bufferView, offset_of(sparse.indices.byteOffset, what)},
+                    {sparse.indices.componentType, 1, false, count}, what + ", sparse indices");
+  Elements replaced = elements;
+  replaced.count = count;
+  const std::vector<double> values =
+      read_elements(model, {sparse.values.bufferView, offset_of(sparse.values.byteOffset, what)},
+                    replaced, what + ", sparse values");
+  const auto width = static_cast<std::size_t>(elements.components);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(places[i] >= 0.0 && places[i] < static_cast<double>(elements.count))) {
+      throw Error(what, ": sparse index ", places[i], " of ", elements.count, " elements");
+    }
+    const std::size_t to = width * static_cast<std::size_t>(places[i]);
+    std::copy_n(&values[width * i], width, &numbers[to]);
   }
 }
 
@@ -88,46 +178,16 @@ std::vector<double> read_accessor(const tinygltf::Model& model, int index, int c
     throw Error(what, ": elements of ", tinygltf::GetNumComponentsInType(kind),
                 " numbers, expected ", components);
   }
-  if (accessor.sparse.isSparse) throw Error(what, ": sparse accessors are not read");
-  const auto size = static_cast<std::ptrdiff_t>(
-      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
-  if (size <= 0 || accessor.componentType == TINYGLTF_COMPONENT_TYPE_DOUBLE) {
-    throw Error(what, ": unknown component type ", accessor.componentType);
+  if (accessor.count > kMostElements) {
+    throw Error(what, ": ", accessor.count, " elements, expected ", kMostElements, " at most");
   }
-  if (accessor.bufferView < 0 ||
-      static_cast<std::size_t>(accessor.bufferView) >= model.bufferViews.size()) {
-    throw Error(what, ": buffer view ", accessor.bufferView, " is not among the file's ",
-                model.bufferViews.size());
+  const Elements elements{accessor.componentType, components, accessor.normalized, accessor.count};
+  std::vector<double> numbers(accessor.count * static_cast<std::size_t>(components), 0.0);
+  if (accessor.bufferView >= 0 || !accessor.sparse.isSparse) {
+    const Place place{accessor.bufferView, accessor.byteOffset};
+    numbers = read_elements(model, place, elements, what);
   }
-  const tinygltf::BufferView& view =
-      model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-  if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model.buffers.size()) {
-    throw Error(what, ": buffer ", view.buffer, " is not among the file's ", model.buffers.size());
-  }
-  const std::vector<unsigned char>& bytes =
-      model.buffers[static_cast<std::size_t>(view.buffer)].data;
-  const auto element = static_cast<std::size_t>(size) * static_cast<std::size_t>(components);
-  const std::size_t stride = view.byteStride == 0 ? element : view.byteStride;
-  const std::size_t available = bytes.size();
-  // Each step is checked before it is added, as any of these may be as large as a file says.
-  bool fits = view.byteOffset <= available && view.byteLength <= available - view.byteOffset &&
-              accessor.byteOffset <= view.byteLength;
-  if (fits && accessor.count > 0) {
-    const std::size_t room = view.byteLength - accessor.byteOffset;
-    fits = element <= room && (accessor.count - 1) <= (room - element) / stride;
-  }
-  if (!fits) throw Error(what, ": ", accessor.count, " elements reach out of their buffer");
-
-  std::vector<double> numbers;
-  numbers.reserve(accessor.count * static_cast<std::size_t>(components));
-  const unsigned char* start = bytes.data() + view.byteOffset + accessor.byteOffset;
-  for (std::size_t i = 0; i < accessor.count; ++i) {
-    for (int c = 0; c < components; ++c) {
-      numbers.push_back(component(
-          start + i * stride + static_cast<std::size_t>(c) * static_cast<std::size_t>(size),
-          accessor.componentType, accessor.normalized));
-    }
-  }
+  if (accessor.sparse.isSparse) replace_sparse(model, accessor, elements, what, numbers);
   return numbers;
 }
 

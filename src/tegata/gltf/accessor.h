@@ -13,9 +13,10 @@ class Model;
 
 namespace tegata {
 
-/// The numbers of an accessor, element after element; normalised integers become 0 .. 1 (or -1 ..
-/// 1). `components` is how many an element must have, `what` what it is called in the Error that is
-/// thrown where the accessor is absent, of another kind or reaches out of its buffer.
+/// The numbers of an accessor, sparse or not, element after element; normalised integers become 0
+/// .. 1 (or -1 .. 1). `components` is how many an element must have, `what` what it is called in
+/// the Error that is thrown where the accessor is absent, of another kind or reaches out of its
+/// buffer.
 std::vector<double> read_accessor(const tinygltf::Model& model, int accessor, int components,
                                   const std::string& what);
 

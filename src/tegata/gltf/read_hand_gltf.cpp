@@ -3,14 +3,12 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <optional>
 
 #include "tegata/base/error.h"
+#include "tegata/gltf/gltf_file.h"
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/gltf/skinned_surface.h"
 #include "tegata/hand/skeleton_from_keypoints.h"
@@ -18,75 +16,7 @@
 namespace tegata {
 namespace {
 
-constexpr std::size_t kGlbJson = 20;  // where the JSON of a GLB begins, its length 8 before
-constexpr int kDeepestNesting = 200;
 constexpr double kSamePlace = 0.001;  // [m]: to which the file's joints must agree with its notes
-
-std::string one_line(std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  while (!message.empty() && message.back() == ' ') message.pop_back();
-  return message;
-}
-
-/// Pictures are left as they are: nothing of a hand is read from them.
-bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
-                const unsigned char*, int, void*) {
-  return true;
-}
-
-/// The JSON of a file: of GLB the first chunk, which tinygltf checks once more.
-std::string_view json_of(std::string_view bytes, bool is_binary) {
-  if (!is_binary) return bytes;
-  std::uint32_t length = 0;
-  if (bytes.size() < kGlbJson) return {};
-  std::memcpy(&length, &bytes[kGlbJson - 8], sizeof length);
-  return bytes.substr(kGlbJson, length);
-}
-
-/// Lists within lists are read by functions that call themselves, so that a file of brackets alone
-/// would use up the stack.
-void check_nesting(std::string_view json) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      in_string = c != '"';
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kDeepestNesting) {
-        throw Error("its JSON is nested more than ", kDeepestNesting, " deep");
-      }
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-}
-
-/// `folder` is where files that the bytes refer to are looked for; without one that is an Error.
-tinygltf::Model load(std::string_view bytes, const std::optional<std::filesystem::path>& folder) {
-  if (bytes.size() > std::numeric_limits<unsigned int>::max()) {
-    throw Error("it has ", bytes.size(), " bytes, expected less than 4 GB");
-  }
-  const bool is_binary = bytes.starts_with("glTF");
-  check_nesting(json_of(bytes, is_binary));
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(&skip_image, nullptr);
-  if (!folder) loader.SetFsCallbacks({});
-  tinygltf::Model model;
-  std::string error, warning;
-  const auto size = static_cast<unsigned int>(bytes.size());
-  const std::string base = folder ? folder->string() : std::string();
-  const bool is_loaded =
-      is_binary ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                              reinterpret_cast<const unsigned char*>(bytes.data()),
-                                              size, base)
-                : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, base);
-  if (!is_loaded) throw Error("it is not glTF 2.0: ", one_line(error));
-  return model;
-}
 
 /// The numbers under a key of what write_hand_gltf notes of the skeleton; empty if they are not
 /// `count` numbers.
@@ -136,8 +66,9 @@ std::optional<FoundSkeleton> noted_skeleton(
   return found;
 }
 
-HandModel hand_of(const tinygltf::Model& file, Side side) {
-  SkinnedSurface read = skinned_surface(file);
+HandModel hand_of(const tinygltf::Model& file, const NodeTree& tree, const HandJoints& joints,
+                  Side side) {
+  SkinnedSurface read = skinned_surface(file, tree, joints);
   std::array<Eigen::Vector3d, kKeypointCount> keypoints;
   for (std::size_t i = 0; i < kWebxrJointCount; ++i) {
     const int keypoint = webxr_joints()[i].keypoint;
@@ -157,15 +88,28 @@ HandModel hand_of(const tinygltf::Model& file, Side side) {
   return model;
 }
 
+/// The first hand of the file that can be the one of that side.
+HandModel hand_of_side(const tinygltf::Model& file, Side side) {
+  const NodeTree tree = node_tree(file);
+  const std::vector<HandJoints> hands = hands_in(file, tree);
+  for (std::size_t i = 0;; ++i) {
+    try {
+      return hand_of(file, tree, hands[i], side);
+    } catch (const Error&) {
+      if (i + 1 == hands.size()) throw;
+    }
+  }
+}
+
 HandModel hand_in(std::string_view bytes, Side side, const std::filesystem::path& file,
                   const std::optional<std::filesystem::path>& folder) {
   try {
-    HandModel model = hand_of(load(bytes, folder), side);
+    HandModel model = hand_of_side(load_gltf(bytes, folder), side);
     model.name = file.stem().string();
     check_hand(model);
     return model;
-  } catch (const std::exception& problem) {
-    throw Error(file.string(), ": ", one_line(problem.what()));
+  } catch (const Error& problem) {
+    throw Error(file.string(), ": ", problem.what());
   }
 }
 

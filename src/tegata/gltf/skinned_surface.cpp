@@ -4,10 +4,11 @@
 
 #include <tiny_gltf.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "tegata/base/error.h"
@@ -18,97 +19,8 @@ namespace {
 
 using Matrices = std::vector<Eigen::Matrix4d>;
 
-Eigen::Matrix4d local_matrix(const tinygltf::Node& node) {
-  if (node.matrix.size() == 16) return Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());
-  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-  if (node.translation.size() == 3) {
-    transform.translate(Eigen::Map<const Eigen::Vector3d>(node.translation.data()));
-  }
-  if (node.rotation.size() == 4) {
-    transform.rotate(Eigen::Quaterniond(node.rotation.data()).normalized());
-  }
-  if (node.scale.size() == 3) {
-    transform.scale(Eigen::Map<const Eigen::Vector3d>(node.scale.data()));
-  }
-  return transform.matrix();
-}
-
-std::vector<int> parents(const tinygltf::Model& model) {
-  std::vector<int> parent(model.nodes.size(), -1);
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    for (const int child : model.nodes[i].children) {
-      if (child < 0 || static_cast<std::size_t>(child) >= parent.size() ||
-          parent[static_cast<std::size_t>(child)] >= 0) {
-        throw Error("node ", i, ": child ", child, " is absent or has another parent");
-      }
-      parent[static_cast<std::size_t>(child)] = static_cast<int>(i);
-    }
-  }
-  return parent;
-}
-
-Matrices world_matrices(const tinygltf::Model& model, const std::vector<int>& parent) {
-  Matrices world(model.nodes.size());
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    world[i] = local_matrix(model.nodes[i]);
-    std::size_t steps = 0;
-    for (int above = parent[i]; above >= 0; above = parent[static_cast<std::size_t>(above)]) {
-      if (++steps > world.size()) throw Error("node ", i, " is its own ancestor");
-      world[i] = local_matrix(model.nodes[static_cast<std::size_t>(above)]) * world[i];
-    }
-    if (!world[i].allFinite()) throw Error("node ", i, ": its transform is not finite");
-  }
-  return world;
-}
-
-/// The place of a node in webxr_joints(), or -1.
-int webxr_joint(const tinygltf::Node& node) {
-  const auto& joints = webxr_joints();
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (joints[i].name == node.name) return static_cast<int>(i);
-  }
-  return -1;
-}
-
-/// The first skin with all joints; `nodes` gets the nodes of the joints.
-std::size_t hand_skin(const tinygltf::Model& model, std::array<int, kWebxrJointCount>& nodes) {
-  std::string missing = "no skin";
-  std::size_t fewest = kWebxrJointCount + 1;
-  for (std::size_t skin = 0; skin < model.skins.size(); ++skin) {
-    nodes.fill(-1);
-    for (const int node : model.skins[skin].joints) {
-      if (node < 0 || static_cast<std::size_t>(node) >= model.nodes.size()) {
-        throw Error("skin ", skin, ": joint ", node, " is not among the file's ",
-                    model.nodes.size(), " nodes");
-      }
-      const int joint = webxr_joint(model.nodes[static_cast<std::size_t>(node)]);
-      if (joint >= 0) nodes[static_cast<std::size_t>(joint)] = node;
-    }
-    const auto absent = static_cast<std::size_t>(std::count(nodes.begin(), nodes.end(), -1));
-    if (absent == 0) return skin;
-    if (absent < fewest) {
-      fewest = absent;
-      const auto first = std::find(nodes.begin(), nodes.end(), -1) - nodes.begin();
-      missing = text("skin ", skin, " lacks ", absent, ", the first of them ",
-                     webxr_joints()[static_cast<std::size_t>(first)].name);
-    }
-  }
-  throw Error("expected a skin with the 25 joints of a WebXR hand, but ", missing);
-}
-
-/// For each joint of the skin the bone that it moves.
-std::vector<int> bones_of_joints(const tinygltf::Model& model, const tinygltf::Skin& skin,
-                                 const std::vector<int>& parent) {
-  std::vector<int> bones;
-  for (int node : skin.joints) {
-    int joint = -1;
-    for (; node >= 0 && joint < 0; node = parent[static_cast<std::size_t>(node)]) {
-      joint = webxr_joint(model.nodes[static_cast<std::size_t>(node)]);
-    }
-    bones.push_back(joint < 0 ? 0 : webxr_joints()[static_cast<std::size_t>(joint)].bone);
-  }
-  return bones;
-}
+// Of all meshes together: far more than a hand needs, and little enough for any machine.
+constexpr std::size_t kMostVertices = 5'000'000;
 
 /// The skin's joints: from the mesh as it is stored to the world, and the bone of each.
 struct Binding {
@@ -116,10 +28,9 @@ struct Binding {
   std::vector<int> bones;
 };
 
-Binding bind(const tinygltf::Model& model, const tinygltf::Skin& skin,
-             const std::vector<int>& parent, const Matrices& world) {
+Binding bind(const tinygltf::Model& model, const tinygltf::Skin& skin, const NodeTree& tree,
+             const std::vector<int>& bone_of_node) {
   Binding binding;
-  binding.bones = bones_of_joints(model, skin, parent);
   std::vector<double> inverse;
   if (skin.inverseBindMatrices >= 0) {
     inverse = read_accessor(model, skin.inverseBindMatrices, 16, "inverse bind matrices");
@@ -129,15 +40,19 @@ Binding bind(const tinygltf::Model& model, const tinygltf::Skin& skin,
     }
   }
   for (std::size_t i = 0; i < skin.joints.size(); ++i) {
-    Eigen::Matrix4d matrix = world[static_cast<std::size_t>(skin.joints[i])];
+    const auto node = static_cast<std::size_t>(skin.joints[i]);
+    Eigen::Matrix4d matrix = tree.world[node];
     if (!inverse.empty()) matrix = matrix * Eigen::Map<const Eigen::Matrix4d>(&inverse[16 * i]);
+    if (!matrix.allFinite())
+      throw Error("inverse bind matrices: that of joint ", i, " is not finite");
     binding.world_from_mesh.push_back(matrix);
+    binding.bones.push_back(bone_of_node[node]);
   }
   return binding;
 }
 
 /// The four heaviest bones, their weights summing to 1.
-SkinLinks heaviest(const std::array<double, kBoneCount>& weights, const std::string& what) {
+SkinLinks heaviest(const std::array<double, kBoneCount>& weights) {
   std::array<int, kBoneCount> order;
   for (int bone = 0; bone < kBoneCount; ++bone) order[static_cast<std::size_t>(bone)] = bone;
   const auto weight = [&](int bone) { return weights[static_cast<std::size_t>(bone)]; };
@@ -145,7 +60,6 @@ SkinLinks heaviest(const std::array<double, kBoneCount>& weights, const std::str
   SkinLinks links;
   double sum = 0.0;
   for (std::size_t i = 0; i < links.bones.size(); ++i) sum += weight(order[i]);
-  if (!(sum > 0.0)) throw Error(what, ": a vertex is bound to no joint");
   for (std::size_t i = 0; i < links.bones.size(); ++i) {
     links.weights[i] = weight(order[i]) / sum;
     if (links.weights[i] > 0.0) links.bones[i] = order[i];
@@ -157,6 +71,15 @@ SkinLinks heaviest(const std::array<double, kBoneCount>& weights, const std::str
 class Collector {
  public:
   explicit Collector(SkinnedSurface& target) : target_(target) {}
+
+  /// Throws Error where so many more vertices, or corners of triangles, are too many.
+  void expect(std::size_t more, const std::string& what) {
+    expected_ += more;
+    if (expected_ > kMostVertices) {
+      throw Error(what, ": the hand's meshes have more than ", kMostVertices,
+                  " vertices and corners; a simplified hand would do");
+    }
+  }
 
   std::uint32_t vertex(const Eigen::Vector3d& point, const SkinLinks& links) {
     const Key key{{point.x(), point.y(), point.z()}, links.bones, links.weights};
@@ -176,6 +99,7 @@ class Collector {
   using Key = std::tuple<std::array<double, 3>, std::array<int, 4>, std::array<double, 4>>;
   SkinnedSurface& target_;
   std::map<Key, std::uint32_t> known_;
+  std::size_t expected_ = 0;
 };
 
 /// Adds the vertices of a primitive; returns where each went.
@@ -190,6 +114,7 @@ std::vector<std::uint32_t> add_vertices(const tinygltf::Model& model,
   };
   const std::vector<double> positions = attribute("POSITION", 3);
   const std::size_t count = positions.size() / 3;
+  collector.expect(count, what);
   std::vector<std::array<double, kBoneCount>> weights(count);
   std::vector<Eigen::Matrix4d> matrices(count, Eigen::Matrix4d::Zero());
   for (int set = 0; set == 0 || primitive.attributes.count(text("JOINTS_", set)) > 0; ++set) {
@@ -200,11 +125,13 @@ std::vector<std::uint32_t> add_vertices(const tinygltf::Model& model,
     }
     for (std::size_t i = 0; i < 4 * count; ++i) {
       if (parts[i] == 0.0) continue;
-      const auto joint = static_cast<std::size_t>(joints[i]);
-      if (!(parts[i] > 0.0) || !(joints[i] >= 0.0) || joint >= binding.bones.size()) {
+      const auto joint_count = static_cast<double>(binding.bones.size());
+      if (!(parts[i] > 0.0 && std::isfinite(parts[i]) && joints[i] >= 0.0 &&
+            joints[i] < joint_count)) {
         throw Error(what, ": vertex ", i / 4, " is bound to joint ", joints[i], " by ", parts[i],
                     ", expected one of ", binding.bones.size(), " joints and 0 to 1");
       }
+      const auto joint = static_cast<std::size_t>(joints[i]);
       weights[i / 4][static_cast<std::size_t>(binding.bones[joint])] += parts[i];
       matrices[i / 4] += parts[i] * binding.world_from_mesh[joint];
     }
@@ -212,8 +139,12 @@ std::vector<std::uint32_t> add_vertices(const tinygltf::Model& model,
   std::vector<std::uint32_t> places;
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector4d stored(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2], 1.0);
-    const Eigen::Vector4d point = matrices[i] * stored;
-    places.push_back(collector.vertex(point.head<3>() / point.w(), heaviest(weights[i], what)));
+    // Divided by its last entry, which is the sum of the weights, so that they need not sum to 1.
+    const Eigen::Vector4d sum = matrices[i] * stored;
+    if (matrices[i].isZero(0.0)) throw Error(what, ": vertex ", i, " is bound to no joint");
+    const Eigen::Vector3d point = sum.head<3>() / sum.w();
+    if (!point.allFinite()) throw Error(what, ": vertex ", i, " is not at a finite place");
+    places.push_back(collector.vertex(point, heaviest(weights[i])));
   }
   return places;
 }
@@ -231,6 +162,7 @@ void add_primitive(const tinygltf::Model& model, const tinygltf::Primitive& prim
   } else {
     for (std::size_t i = 0; i < places.size(); ++i) corners.push_back(static_cast<double>(i));
   }
+  collector.expect(corners.size(), what);
   if (corners.size() % 3 != 0) throw Error(what, ": ", corners.size(), " corners of triangles");
   for (std::size_t i = 0; i < corners.size(); i += 3) {
     std::array<std::uint32_t, 3> at;
@@ -244,33 +176,49 @@ void add_primitive(const tinygltf::Model& model, const tinygltf::Primitive& prim
   }
 }
 
+/// Leaves out the vertices that no triangle uses, and their links.
+void drop_unused_vertices(SkinnedSurface& read) {
+  std::vector<bool> is_used(read.links.size(), false);
+  for (const Triangle& triangle : read.surface.triangles) {
+    for (const std::uint32_t corner : triangle) is_used[corner] = true;
+  }
+  std::vector<SkinLinks> links;
+  for (std::size_t i = 0; i < is_used.size(); ++i) {
+    if (is_used[i]) links.push_back(read.links[i]);
+  }
+  read.links = std::move(links);
+  read.surface = without_unused_vertices(read.surface);
+}
+
 }  // namespace
 
-SkinnedSurface skinned_surface(const tinygltf::Model& model) {
-  const std::vector<int> parent = parents(model);
-  const Matrices world = world_matrices(model, parent);
-  std::array<int, kWebxrJointCount> nodes;
-  const std::size_t skin = hand_skin(model, nodes);
-  const Binding binding = bind(model, model.skins[skin], parent, world);
-
+SkinnedSurface skinned_surface(const tinygltf::Model& model, const NodeTree& tree,
+                               const HandJoints& hand) {
   SkinnedSurface result;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    result.joints[i] = world[static_cast<std::size_t>(nodes[i])].block<3, 1>(0, 3);
+  for (std::size_t i = 0; i < hand.nodes.size(); ++i) {
+    result.joints[i] = tree.world[static_cast<std::size_t>(hand.nodes[i])].block<3, 1>(0, 3);
+  }
+  const std::vector<int> bone_of_node = bones_of_nodes(hand, tree);
+  std::map<int, Binding> bindings;
+  for (const std::size_t skin : hand.skins) {
+    bindings[static_cast<int>(skin)] = bind(model, model.skins[skin], tree, bone_of_node);
   }
   Collector collector(result);
   for (const tinygltf::Node& node : model.nodes) {
-    if (node.skin != static_cast<int>(skin) || node.mesh < 0) continue;
+    const auto binding = bindings.find(node.skin);
+    if (binding == bindings.end() || node.mesh < 0) continue;
     if (static_cast<std::size_t>(node.mesh) >= model.meshes.size()) {
       throw Error("node '", node.name, "': mesh ", node.mesh, " is not among the file's ",
                   model.meshes.size());
     }
     const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
-      add_primitive(model, mesh.primitives[i], binding,
+      add_primitive(model, mesh.primitives[i], binding->second,
                     text("mesh '", mesh.name, "', primitive ", i), collector);
     }
   }
   if (result.surface.triangles.empty()) throw Error("no triangles are bound to the hand's skin");
+  drop_unused_vertices(result);
   check_mesh(result.surface);
   if (enclosed_volume(result.surface) < 0.0) {
     for (Triangle& triangle : result.surface.triangles) std::swap(triangle[1], triangle[2]);

@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "tegata/gltf/hand_joints.h"
+#include "tegata/gltf/node_tree.h"
 #include "tegata/gltf/webxr_joints.h"
 #include "tegata/hand/hand_model.h"
 #include "tegata/mesh/triangle_mesh.h"
@@ -23,11 +25,12 @@ struct SkinnedSurface {
   std::vector<SkinLinks> links;
 };
 
-/// Where the nodes of the file put the first skin that has all WebXR joints, and every mesh that
-/// is bound to it. Joints of other names move with the nearest ancestor that has one, else with the
-/// palm. Vertices that lie on each other (where texture coordinates split) are joined; triangles
-/// turned inside out by a mirroring transform are turned back; normals are made from the triangles.
-/// Throws Error saying what is missing or out of range.
-SkinnedSurface skinned_surface(const tinygltf::Model& model);
+/// Where the nodes of the file put a hand's joints and every mesh that is bound to one of its
+/// skins. Joints of other names move with the nearest ancestor that has one, else with the palm;
+/// weights need not sum to 1. Vertices that lie on each other (where texture coordinates split) are
+/// joined, those of no triangle left out; triangles turned inside out by a mirroring transform are
+/// turned back; there are no normals. Throws Error saying what is missing or out of range.
+SkinnedSurface skinned_surface(const tinygltf::Model& model, const NodeTree& tree,
+                               const HandJoints& hand);
 
 }  // namespace tegata
