@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Installs what building needs and is not there yet, from Debian 12's packages.
-# usage: scripts/install_dependencies.sh [test]     test: what scripts/test.sh needs as well
+# usage: scripts/install_dependencies.sh [test|bench]
+#   test: what scripts/test.sh needs as well; bench: the libraries that scripts/bench.sh compares with
 set -euo pipefail
 
 packages=(
@@ -16,8 +17,9 @@ packages=(
 case "${1:-}" in
   '') ;;
   test) packages+=(git libgtest-dev clang-14 libclang-rt-14-dev clang-format-14) ;;
+  bench) packages+=(libvtk9-dev libcgal-dev libopenvdb-dev libnanoflann-dev libopen3d-dev) ;;
   *)
-    echo "install_dependencies.sh: got '$1', expected nothing or 'test'" >&2
+    echo "install_dependencies.sh: got '$1', expected nothing, 'test' or 'bench'" >&2
     exit 2
     ;;
 esac

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The benchmarks, one a file. Each prints a section of Markdown and returns whether its checks
+// hold.
+#pragma once
+
+namespace tegata::bench {
+
+/// B1: silhouettes to the octree's leaves, tables included.
+bool benchmark_hull();
+/// B2: the field to a closed surface.
+bool benchmark_isosurface();
+/// B3: the surface to 4,000 triangles.
+bool benchmark_simplify();
+/// B4: nearest points.
+bool benchmark_closest_point();
+/// Silhouettes to 4,000 triangles, step by step.
+bool benchmark_chain();
+/// How much memory the finest hulls take at their peak.
+bool benchmark_memory();
+
+}  // namespace tegata::bench
