@@ -39,12 +39,11 @@ std::string wrapped(std::string_view parts) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const std::string glb = bytes.starts_with("glTF") ? std::string(bytes) : wrapped(bytes);
-  for (const tegata::Side side : {tegata::Side::right, tegata::Side::left}) {
-    try {
-      tegata::check_hand(tegata::parse_hand_gltf(glb, side, "input"));
-    } catch (const tegata::Error& error) {
-      tegata::require(std::strchr(error.what(), '\n') == nullptr, "an error of several lines");
-    }
+  const tegata::Side side = size % 2 == 0 ? tegata::Side::right : tegata::Side::left;
+  try {
+    tegata::check_hand(tegata::parse_hand_gltf(glb, side, "input"));
+  } catch (const tegata::Error& error) {
+    tegata::require(std::strchr(error.what(), '\n') == nullptr, "an error of several lines");
   }
   return 0;
 }

@@ -11,6 +11,7 @@
 
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/hand/built_in_hand.h"
+#include "tegata/hand/test_hand.h"
 #include "tegata/math/so3.h"
 
 namespace tegata {
@@ -109,6 +110,9 @@ TEST_P(WebxrHand, TheValidatorFindsNoErrorInWhatIsWritten) {
   const std::vector<HandKeyframe> keyframes = {{0.0, HandPose()}, {0.04, bent_pose()}};
   write_hand_gltf(built_in_hand(HandShape(), GetParam()), keyframes, folder_ / "built_in.glb");
   EXPECT_TRUE(is_valid(folder_ / "built_in.glb"));
+  // Some of its vertices are linked to one bone twice.
+  write_hand_gltf(test_hand(), {}, folder_ / "small.glb");
+  EXPECT_TRUE(is_valid(folder_ / "small.glb"));
   if (!fs::exists(generic_hand())) GTEST_SKIP() << generic_hand() << " is absent";
   const HandModel read = read_hand_gltf(generic_hand(), GetParam());
   write_hand_gltf(read, keyframes, folder_ / "webxr.glb");

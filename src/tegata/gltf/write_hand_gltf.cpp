@@ -95,6 +95,18 @@ tinygltf::Value notes(const HandModel& hand) {
   return tinygltf::Value(std::move(extras));
 }
 
+/// The same links without a bone twice, which glTF does not allow.
+SkinLinks with_bones_once(SkinLinks links) {
+  for (std::size_t i = 1; i < links.bones.size(); ++i) {
+    for (std::size_t j = 0; j < i && links.weights[i] > 0.0; ++j) {
+      if (links.bones[i] != links.bones[j] || links.weights[j] <= 0.0) continue;
+      links.weights[j] += links.weights[i];
+      links.weights[i] = 0.0;
+    }
+  }
+  return links;
+}
+
 void add_mesh(const HandModel& hand, tinygltf::Model& model) {
   tinygltf::Material material;
   material.name = "skin";
@@ -109,7 +121,8 @@ void add_mesh(const HandModel& hand, tinygltf::Model& model) {
   }
   std::vector<std::uint8_t> joints;
   std::vector<float> weights;
-  for (const SkinLinks& links : hand.links) {
+  for (const SkinLinks& stored : hand.links) {
+    const SkinLinks links = with_bones_once(stored);
     for (std::size_t i = 0; i < links.bones.size(); ++i) {
       const bool is_used = links.weights[i] > 0.0;
       joints.push_back(is_used ? joint_of_bone[static_cast<std::size_t>(links.bones[i])] : 0);

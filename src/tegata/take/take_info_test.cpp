@@ -66,6 +66,11 @@ TEST(TakeInfo, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(empty.name, "");
 }
 
+// 2^53 + 1, which is not a double.
+TEST(TakeInfo, WholeNumbersOfMoreDigitsThanADoubleHoldsAreRead) {
+  EXPECT_EQ(read("fps = 9007199254740993").fps, 9007199254740992.0);
+}
+
 TEST(TakeInfo, UnknownKeysAreSaidWithThoseThatWouldDo) {
   EXPECT_TRUE(says(error_with("fsp = 30.0"), "take.toml", "'fsp'", "'fps'", "'metres_per_unit'"));
   EXPECT_TRUE(

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "tegata/base/error.h"
@@ -49,7 +50,9 @@ const toml::node& node_of(const TomlTable& where, const std::shared_ptr<const vo
 
 double finite_number(const TomlTable& where, std::string_view key, const toml::node& node) {
   if (!node.is_number()) where.fail(key, kind_of(node), "a number");
-  const double number = node.value<double>().value();
+  // As a double it has no value() where it is a whole number with more digits than that holds.
+  const double number = node.is_integer() ? static_cast<double>(node.value<std::int64_t>().value())
+                                          : node.value<double>().value();
   if (!std::isfinite(number)) where.fail(key, text(number), "a finite number");
   return number;
 }
