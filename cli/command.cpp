@@ -4,16 +4,70 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <sstream>
+
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/hand/built_in_hand.h"
 
 namespace tegata {
+namespace {
+
+/// FIRST:LAST or FIRST:LAST:STEP; LAST may be empty.
+FrameSelection parse_frames(const std::string& value) {
+  const auto fail = [&value] {
+    return CLI::ValidationError(
+        "--frames", "got '" + value + "', expected FIRST:LAST, FIRST:LAST:STEP or FIRST::STEP");
+  };
+  std::vector<std::optional<std::size_t>> parts;
+  std::istringstream stream(value + ":");  // so that an empty last part counts
+  for (std::string part; std::getline(stream, part, ':');) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+    if (!part.empty() && (error != std::errc() || end != part.data() + part.size())) throw fail();
+    parts.push_back(part.empty() ? std::nullopt : std::optional(number));
+  }
+  if (parts.size() < 2 || parts.size() > 3) throw fail();
+  FrameSelection frames{parts[0].value_or(0), parts[1], 1};
+  if (parts.size() == 3) frames.step = parts[2].value_or(1);
+  if (frames.step == 0 || (frames.last && *frames.last < frames.first)) throw fail();
+  return frames;
+}
+
+}  // namespace
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.threads, "Threads to use; 0: one per core")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--json", options.json, "Print one JSON object for scripts");
   command.add_flag("--quiet,-q", options.quiet, "No progress and no warnings, errors only");
+}
+
+void add_frames_option(CLI::App& command, FrameSelection& frames) {
+  command.add_option_function<std::string>(
+      "--frames", [&frames](const std::string& value) { frames = parse_frames(value); },
+      "FIRST:LAST:STEP, by position from 0; LAST is included and may be left out");
+}
+
+void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod>& method) {
+  command
+      .add_option_function<std::string>(
+          "--segmentation",
+          [&method](const std::string& name) { method = segmentation_method_from_name(name); },
+          "How pictures become silhouettes; else what the take says or shows")
+      ->check(CLI::IsMember({"infrared", "background", "skin", "mask"}));
+}
+
+void add_hull_options(CLI::App& command, HullOptions& options) {
+  command
+      .add_option_function<double>(
+          "--voxel-mm", [&options](double voxel_mm) { options.voxel_size = 1e-3 * voxel_mm; },
+          "Finest cell of the visual hull")
+      ->check(CLI::Range(0.1, 50.0))
+      ->default_str(fmt::format("{}", 1e3 * options.voxel_size));
+  command.add_option("--triangles", options.triangle_count, "Of the simplified visual hull")
+      ->check(CLI::Range(100, 10000000))
+      ->capture_default_str();
 }
 
 Side side_from_name(const std::string& name) {

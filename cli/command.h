@@ -7,11 +7,14 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tegata/base/error.h"
 #include "tegata/hand/hand_model.h"
+#include "tegata/hull/visual_hull.h"
+#include "tegata/pipeline/frame_selection.h"
 #include "tegata/take/result.h"
 
 namespace tegata {
@@ -21,6 +24,7 @@ void add_fit_command(CLI::App& program);
 void add_evaluate_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_picture_command(CLI::App& program);
+void add_hull_command(CLI::App& program);
 
 /// What every subcommand understands.
 struct CommonOptions {
@@ -29,6 +33,13 @@ struct CommonOptions {
   bool quiet = false;  ///< nothing but errors on stderr
 };
 void add_common_options(CLI::App& command, CommonOptions& options);
+
+/// --frames FIRST:LAST:STEP.
+void add_frames_option(CLI::App& command, FrameSelection& frames);
+/// --segmentation METHOD.
+void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod>& method);
+/// --voxel-mm and --triangles.
+void add_hull_options(CLI::App& command, HullOptions& options);
 
 /// "right" or "left"; throws Error otherwise.
 Side side_from_name(const std::string& name);

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "command.h"
 #include "progress.h"
@@ -28,33 +26,11 @@ constexpr int kReportPictureWidth = 480;
 constexpr int kReportJpegQuality = 80;
 
 struct Arguments {
-  std::string take, result, hand_file, side, segmentation, grasp = "fixed";
-  double voxel_mm = 2.0;
+  std::string take, result, hand_file, side, grasp = "fixed";
   bool hulls = false, no_report = false, force = false;
   FitTakeOptions options;
   CommonOptions common;
 };
-
-/// FIRST:LAST or FIRST:LAST:STEP; LAST may be empty.
-FrameSelection parse_frames(const std::string& value) {
-  const auto fail = [&value] {
-    return CLI::ValidationError(
-        "--frames", "got '" + value + "', expected FIRST:LAST, FIRST:LAST:STEP or FIRST::STEP");
-  };
-  std::vector<std::optional<std::size_t>> parts;
-  std::istringstream stream(value + ":");  // so that an empty last part counts
-  for (std::string part; std::getline(stream, part, ':');) {
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-    if (!part.empty() && (error != std::errc() || end != part.data() + part.size())) throw fail();
-    parts.push_back(part.empty() ? std::nullopt : std::optional(number));
-  }
-  if (parts.size() < 2 || parts.size() > 3) throw fail();
-  FrameSelection frames{parts[0].value_or(0), parts[1], 1};
-  if (parts.size() == 3) frames.step = parts[2].value_or(1);
-  if (frames.step == 0 || (frames.last && *frames.last < frames.first)) throw fail();
-  return frames;
-}
 
 Side choose_side(const Take& take, const std::string& asked) {
   const std::optional<Side>& known = take.info().side;
@@ -120,11 +96,7 @@ void run(Arguments& arguments) {
 
   FitTakeOptions& options = arguments.options;
   options.threads = arguments.common.threads;
-  options.hull.voxel_size = 1e-3 * arguments.voxel_mm;
   options.fit.grasp = arguments.grasp == "free" ? GraspConstraint::free : GraspConstraint::fixed;
-  if (!arguments.segmentation.empty()) {
-    options.segmentation = segmentation_method_from_name(arguments.segmentation);
-  }
   if (arguments.hulls) {
     const std::filesystem::path hulls = folder.path() / "hulls";
     std::filesystem::create_directory(hulls);
@@ -162,25 +134,14 @@ void add_fit_command(CLI::App& program) {
                       "A skinned hand with WebXR joint names, GLB or glTF; else the built-in one");
   command->add_option("--side", arguments->side, "Which hand, where the take does not say")
       ->check(CLI::IsMember({"right", "left"}));
-  command
-      ->add_option("--segmentation", arguments->segmentation,
-                   "How pictures become silhouettes; else what the take says or shows")
-      ->check(CLI::IsMember({"infrared", "background", "skin", "mask"}));
+  add_segmentation_option(*command, options.segmentation);
   command
       ->add_option("--grasp", arguments->grasp,
                    "fixed: one set of joint angles for all frames; free: one a frame")
       ->check(CLI::IsMember({"fixed", "free"}))
       ->capture_default_str();
-  command->add_option_function<std::string>(
-      "--frames",
-      [arguments](const std::string& value) { arguments->options.frames = parse_frames(value); },
-      "FIRST:LAST:STEP, by position from 0; LAST is included and may be left out");
-  command->add_option("--voxel-mm", arguments->voxel_mm, "Finest cell of the visual hull")
-      ->check(CLI::Range(0.1, 50.0))
-      ->capture_default_str();
-  command->add_option("--triangles", options.hull.triangle_count, "Of the simplified visual hull")
-      ->check(CLI::Range(100, 10000000))
-      ->capture_default_str();
+  add_frames_option(*command, options.frames);
+  add_hull_options(*command, options.hull);
   command->add_flag("--hulls", arguments->hulls, "Write the visual hulls as well");
   command->add_flag("--no-report", arguments->no_report, "No report.html");
   command->add_flag("--force", arguments->force, "Replace the result folder where it exists");

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   tegata::add_evaluate_command(program);
   tegata::add_info_command(program);
   tegata::add_picture_command(program);
+  tegata::add_hull_command(program);
   try {
     program.parse(argc, argv);
     std::cout.flush();

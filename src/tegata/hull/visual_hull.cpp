@@ -36,9 +36,12 @@ SparseField carve(const std::vector<HullView>& views, const Eigen::AlignedBox3d&
 TriangleMesh visual_hull(const std::vector<HullView>& views, const HullOptions& options,
                          HullReport* report) {
   HullReport made;
-  const Stopwatch carving;
+  const Stopwatch searching;
   SilhouetteField field(views, options);
   made.region = locate_region(field);
+  made.region_seconds = searching.seconds();
+
+  const Stopwatch carving;
   const SparseField carved = carve_field(field, made.region, options.voxel_size);
   made.levels = carved.levels;
   made.carve_seconds = carving.seconds();
@@ -55,7 +58,9 @@ TriangleMesh visual_hull(const std::vector<HullView>& views, const HullOptions& 
   made.isosurface_seconds = extracting.seconds();
 
   const Stopwatch simplifying;
-  if (options.triangle_count > 0) mesh = simplify(mesh, options.triangle_count);
+  if (options.triangle_count > 0) {
+    mesh = simplify(mesh, options.triangle_count, options.largest_error);
+  }
   made.simplify_seconds = simplifying.seconds();
   made.triangle_count = mesh.triangles.size();
   made.volume = enclosed_volume(mesh);

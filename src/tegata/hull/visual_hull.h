@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "tegata/camera/camera.h"
@@ -26,6 +27,8 @@ struct HullOptions {
   /// fewer, the space between two cameras that face each other fills with what only they see.
   int least_views = 0;
   std::size_t triangle_count = 4000;  ///< after simplification; 0: as it comes
+  /// Simplification stops here even if more triangles are left [m]; see simplify().
+  double largest_error = std::numeric_limits<double>::infinity();
   double smallest_component = 0.05;   ///< pieces with a smaller share of the largest are dropped
 };
 
@@ -35,7 +38,10 @@ struct HullReport {
   std::size_t raw_triangle_count = 0;
   std::size_t triangle_count = 0;
   double volume = 0.0;  ///< [m^3]
-  double carve_seconds = 0.0, isosurface_seconds = 0.0, simplify_seconds = 0.0;
+  double region_seconds = 0.0;      ///< of the tables and of finding the region
+  double carve_seconds = 0.0;       ///< of the distances and of the octree
+  double isosurface_seconds = 0.0;  ///< of the components and of marching cubes
+  double simplify_seconds = 0.0;
 };
 
 /// The box, of those that may hold the object, found by volume intersection on a coarse lattice

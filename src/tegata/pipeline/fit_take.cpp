@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "tegata/base/error.h"
-#include "tegata/base/parallel.h"
 #include "tegata/fit/support.h"
 #include "tegata/pipeline/prepare_frame.h"
 
@@ -17,42 +16,27 @@ namespace {
 // Below this mean overlap of a frame's silhouettes the pose is given, but not called ok. The object
 // eats up to half of a hand's silhouette in infrared.
 constexpr double kLeastOverlap = 0.5;
-// Frames that are decoded ahead and then prepared side by side.
-constexpr std::size_t kFramesAtOnce = 8;
-
-std::vector<std::size_t> selected_frames(const FrameSelection& selection, const Take& take) {
-  const std::size_t count = take.frame_names().size();
-  const std::size_t last = std::min(selection.last.value_or(count - 1), count - 1);
-  if (selection.first > last || selection.step == 0) {
-    throw Error("frames: got first ", selection.first, ", last ", last, " and step ",
-                selection.step, ", expected some of the take's ", count, " frames, counted from 0");
-  }
-  std::vector<std::size_t> indices;
-  for (std::size_t i = selection.first; i <= last; i += selection.step) indices.push_back(i);
-  return indices;
-}
 
 std::vector<PreparedFrame> prepare_frames(Take& take, const std::vector<std::size_t>& indices,
                                           SegmentationMethod method, const FitTakeOptions& options,
                                           const Observer& observer) {
   std::vector<PreparedFrame> prepared(indices.size());
-  for (std::size_t begin = 0; begin < indices.size(); begin += kFramesAtOnce) {
-    const std::size_t count = std::min(kFramesAtOnce, indices.size() - begin);
-    std::vector<TakeFrame> pictures;
-    for (std::size_t i = 0; i < count; ++i) {
-      pictures.push_back(take.read_frame(indices[begin + i], observer));
-    }
-    parallel_for(count, options.threads, [&](std::size_t i) {
-      prepared[begin + i] = prepare_frame(take, pictures[i], method, options.hull);
-    });
-    for (std::size_t i = 0; i < count; ++i) {
-      const PreparedFrame& frame = prepared[begin + i];
-      for (const std::string& note : frame.notes) observer.warn(note);
-      if (!frame.refusal.empty()) observer.warn(text("frame ", frame.name, ": ", frame.refusal));
-      if (options.on_hull && frame.refusal.empty()) options.on_hull(frame.name, frame.hull);
-    }
-    observer.progress("hulls", begin + count, indices.size());
-  }
+  for_each_frame(take, indices, options.threads,
+                 {.work =
+                      [&](std::size_t i, const TakeFrame& pictures) {
+                        prepared[i] = prepare_frame(take, pictures, method, options.hull);
+                      },
+                  .finish =
+                      [&](std::size_t i) {
+                        const PreparedFrame& frame = prepared[i];
+                        for (const std::string& note : frame.notes) observer.warn(note);
+                        if (!frame.refusal.empty()) {
+                          observer.warn(text("frame ", frame.name, ": ", frame.refusal));
+                        } else if (options.on_hull) {
+                          options.on_hull(frame.name, frame.hull);
+                        }
+                      }},
+                 observer);
   return prepared;
 }
 

@@ -13,17 +13,11 @@
 #include "tegata/hand/hand_model.h"
 #include "tegata/hull/visual_hull.h"
 #include "tegata/mesh/triangle_mesh.h"
+#include "tegata/pipeline/frame_selection.h"
 #include "tegata/take/result.h"
 #include "tegata/take/take.h"
 
 namespace tegata {
-
-/// Which frames of a take are fitted: first, first + step, ... up to and including last.
-struct FrameSelection {
-  std::size_t first = 0;
-  std::optional<std::size_t> last;
-  std::size_t step = 1;
-};
 
 struct FitTakeOptions {
   FrameSelection frames;

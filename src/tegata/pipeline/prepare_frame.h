@@ -24,8 +24,8 @@ struct PreparedFrame {
   double segment_seconds = 0.0, hull_seconds = 0.0;
 };
 
-/// Segments and undistorts a frame's pictures and intersects their volumes. What is wrong with one
-/// frame becomes its refusal, not an error.
+/// Makes of a frame's pictures what the fit needs: the views' outlines and the visual hull. What is
+/// wrong with one frame becomes its refusal, not an error.
 PreparedFrame prepare_frame(const Take& take, const TakeFrame& pictures, SegmentationMethod method,
                             const HullOptions& options);
 

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/pipeline/frame_views.h"
+
+#include <optional>
+
+#include "tegata/base/stopwatch.h"
+#include "tegata/base/text.h"
+
+namespace tegata {
+
+FrameViews frame_views(const Take& take, const TakeFrame& pictures, SegmentationMethod method) {
+  constexpr std::size_t kLeastViews = 2;
+  FrameViews frame;
+  frame.name = pictures.name;
+  frame.time = pictures.time;
+  if (pictures.view_count() < kLeastViews) {
+    frame.refusal = text("pictures from ", pictures.view_count(), " camera, 2 or more are needed");
+    return frame;
+  }
+  const Stopwatch watch;
+  const std::vector<std::optional<Silhouette>> silhouettes = segment_frame(take, pictures, method);
+  for (std::size_t c = 0; c < silhouettes.size(); ++c) {
+    if (!silhouettes[c]) continue;
+    const Camera& camera = take.rig()[c];
+    if (count_pixels(*silhouettes[c], PixelLabel::hand) == 0) {
+      frame.notes.push_back(text("frame ", pictures.name, ", camera '", camera.name,
+                                 "': no hand was found in the picture, the view is left out"));
+      continue;
+    }
+    frame.views.push_back({camera.undistorted(), undistort(*silhouettes[c], camera)});
+  }
+  frame.seconds = watch.seconds();
+  if (frame.views.size() < kLeastViews) {
+    frame.refusal = text("hand found in ", frame.views.size(), " view, 2 or more are needed");
+  }
+  return frame;
+}
+
+}  // namespace tegata
