@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "benchmarks.h"
 #include "flat.h"
 #include "report.h"
 #include "scene.h"
 #include "tegata/base/error.h"
+#include "tegata/hull/marching_cubes.h"
 
 namespace tegata::bench {
 namespace {
@@ -45,7 +48,17 @@ void run_case(const Scene& scene, const Case& chosen, Report& report) {
   }
   const std::string work =
       fmt::format("{} cameras, {} mm / {} mm", scene.views.size(), chosen.cube_mm, chosen.voxel_mm);
-  report.add(work, contestants, run_rounds(contestants));
+  const std::vector<Timing> timings = run_rounds(contestants);
+  report.add(work, contestants, timings);
+  if (chosen.with_open3d) {
+    const double volume = enclosed_volume(extract_isosurface(field));
+    std::string kept = fmt::format("{}: ours encloses {:.0f} voxels", work,
+                                   volume / std::pow(options.voxel_size, 3));
+    for (std::size_t i = 1; i < contestants.size(); ++i) {
+      kept += fmt::format(", {} keeps {}", contestants[i].name, timings[i].result);
+    }
+    report.note(kept);
+  }
 
   const std::size_t differing = count_differing_points(field, DenseField(scene.views, options));
   const auto points = static_cast<double>(lattice.point_count());

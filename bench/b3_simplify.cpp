@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The tegata authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
-#include <meshoptimizer.h>
 
 #include <cmath>
-#include <limits>
 
 #include "benchmarks.h"
 #include "flat.h"
@@ -34,20 +32,14 @@ std::string said_of(const MeshTopology& topology) {
                      topology.manifold ? "manifold" : "not manifold");
 }
 
-// The library's call alone, on what it takes, without any care for what comes out.
 MeshWork bare_meshoptimizer(const FlatMesh& mesh) {
-  const auto indices = std::make_shared<std::vector<unsigned int>>();
+  const auto indices = std::make_shared<std::vector<std::uint32_t>>();
   return {[=] {
-            indices->resize(mesh.triangles.size());
-            const std::size_t kept =
-                meshopt_simplify(indices->data(), mesh.triangles.data(), mesh.triangles.size(),
-                                 mesh.vertices.data(), mesh.vertices.size() / 3, 3 * sizeof(float),
-                                 3 * kTriangles, std::numeric_limits<float>::max(), 0, nullptr);
-            indices->resize(kept);
-            return kept / 3;
+            *indices = meshoptimizer_triangles(mesh, kTriangles);
+            return indices->size() / 3;
           },
           [=] {
-            return FlatMesh{mesh.vertices, {indices->begin(), indices->end()}};
+            return FlatMesh{mesh.vertices, *indices};
           }};
 }
 

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include "benchmarks.h"
+#include "flat.h"
 #include "report.h"
 #include "scene.h"
-#include "tegata/base/stopwatch.h"
 
 namespace tegata::bench {
 namespace {
@@ -44,11 +44,19 @@ bool benchmark_chain() {
     made.triangle_count = triangle_count;
     return made;
   };
+  const std::vector<FlatView> views = flat(scene.views);
+  const FlatCube cube =
+      flat_cube(carve(scene.views, region_of_cells(scene.center(), 128, 0.002), options(0.002, 0)));
+  std::vector<std::uint8_t> inside;
   const std::vector<Contestant> contestants = {
       {"tegata visual_hull, 2 mm", [&] { return at_2_mm.run(scene, options(0.002, 4000)); }},
       {"tegata visual_hull, 1 mm", [&] { return at_1_mm.run(scene, options(0.001, 4000)); }},
       {"2 mm, not simplified", [&] { return at_2_mm_raw.run(scene, options(0.002, 0)); }},
-      {"1 mm, not simplified", [&] { return at_1_mm_raw.run(scene, options(0.001, 0)); }}};
+      {"1 mm, not simplified", [&] { return at_1_mm_raw.run(scene, options(0.001, 0)); }},
+      {"naive loop (256 mm / 2 mm), FlyingEdges, meshopt_simplify", [&] {
+         carve_naively(views, cube, inside);
+         return meshoptimizer_triangles(vtk_surface_of_voxels(inside, cube.voxels), 4000).size();
+       }}};
   const std::vector<Timing> timings = run_rounds(contestants);
   report.add("silhouettes to mesh", contestants, timings);
   for (const auto& [name, steps] : {std::pair{"2 mm", &at_2_mm}, std::pair{"1 mm", &at_1_mm}}) {

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "flat.h"
 
+#include <meshoptimizer.h>
+
+#include <limits>
+
 namespace tegata::bench {
 
 std::vector<FlatView> flat(const std::vector<HullView>& views) {
@@ -38,6 +42,16 @@ FlatMesh flat(const TriangleMesh& mesh) {
     flat_mesh.triangles.insert(flat_mesh.triangles.end(), triangle.begin(), triangle.end());
   }
   return flat_mesh;
+}
+
+std::vector<std::uint32_t> meshoptimizer_triangles(const FlatMesh& mesh,
+                                                   std::size_t triangle_count) {
+  std::vector<std::uint32_t> triangles(mesh.triangles.size());
+  triangles.resize(meshopt_simplify(triangles.data(), mesh.triangles.data(), mesh.triangles.size(),
+                                    mesh.vertices.data(), mesh.vertices.size() / 3,
+                                    3 * sizeof(float), 3 * triangle_count,
+                                    std::numeric_limits<float>::max(), 0, nullptr));
+  return triangles;
 }
 
 TriangleMesh from_flat(const FlatMesh& flat_mesh) {

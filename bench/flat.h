@@ -16,6 +16,10 @@ std::vector<FlatView> flat(const std::vector<HullView>& views);
 FlatCube flat_cube(const SparseField& field);
 FlatMesh flat(const TriangleMesh& mesh);
 
+/// meshopt_simplify alone, on what it takes, without any care for what comes out.
+std::vector<std::uint32_t> meshoptimizer_triangles(const FlatMesh& mesh,
+                                                   std::size_t triangle_count);
+
 TriangleMesh from_flat(const FlatMesh& mesh);
 
 }  // namespace tegata::bench

@@ -3,10 +3,9 @@
 #include "rounds.h"
 
 #include <algorithm>
-#include <cmath>
+#include <ctime>
 
 #include "tegata/base/error.h"
-#include "tegata/base/stopwatch.h"
 
 namespace tegata::bench {
 namespace {
@@ -16,6 +15,12 @@ constexpr int kRoundsOfSlowOnes = 3;
 constexpr double kSlow = 0.5;           // [s]
 constexpr double kSecondsATurn = 0.03;  // that a contestant is called for, or once
 constexpr int kMostCallsATurn = 50;
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 std::size_t call(const Contestant& contestant, std::size_t expected, bool has_expected) {
   const std::size_t result = contestant.run();
@@ -39,16 +44,17 @@ std::vector<Timing> run_rounds(const std::vector<Contestant>& contestants) {
   std::vector<Timing> timings(count);
   std::vector<int> calls(count), rounds(count, kRounds);
   for (std::size_t i = 0; i < count; ++i) {
-    const Stopwatch first;
+    double start = cpu_seconds();
     timings[i].result = call(contestants[i], 0, false);
-    if (first.seconds() > kSlow) {
+    if (cpu_seconds() - start > kSlow) {
       rounds[i] = kRoundsOfSlowOnes;
       calls[i] = 1;
       continue;
     }
-    const Stopwatch second;
+    start = cpu_seconds();
     call(contestants[i], timings[i].result, true);
-    calls[i] = std::clamp(static_cast<int>(kSecondsATurn / second.seconds()), 1, kMostCallsATurn);
+    calls[i] =
+        std::clamp(static_cast<int>(kSecondsATurn / (cpu_seconds() - start)), 1, kMostCallsATurn);
   }
 
   std::vector<std::vector<double>> seconds(count);  // by contestant and round
@@ -56,9 +62,9 @@ std::vector<Timing> run_rounds(const std::vector<Contestant>& contestants) {
     for (std::size_t turn = 0; turn < count; ++turn) {
       const std::size_t i = (turn + static_cast<std::size_t>(round)) % count;
       if (round >= rounds[i]) continue;
-      const Stopwatch stopwatch;
+      const double start = cpu_seconds();
       for (int n = 0; n < calls[i]; ++n) call(contestants[i], timings[i].result, true);
-      seconds[i].push_back(stopwatch.seconds() / calls[i]);
+      seconds[i].push_back((cpu_seconds() - start) / calls[i]);
     }
   }
 

@@ -22,7 +22,7 @@ marker='<!-- What follows is written by scripts/bench.sh. -->'
 measured=$(mktemp)
 trap 'rm -f "$measured"' EXIT
 {
-  sed "/^$marker\$/,\$d" $page
+  sed "\\|^$marker\$|,\$d" $page
   printf '%s\n\n' "$marker"
   printf 'Machine: %s, %s cores, load %s before the run; g++ %s, Release (-O3), commit %s.\n' \
     "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)" "$(nproc)" \

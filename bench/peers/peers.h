@@ -62,6 +62,9 @@ struct FlatField {
 
 Work vtk_flying_edges(std::shared_ptr<FlatField> field, bool normals);
 Work vtk_marching_cubes(std::shared_ptr<FlatField> field, bool normals);
+/// FlyingEdges of what a loop over voxels left, half way between 1 and 0. Positions in voxels.
+struct FlatMesh;
+FlatMesh vtk_surface_of_voxels(std::vector<std::uint8_t>& inside, int voxels);
 /// volumeToMesh of a sparse grid that is there already, or (with_copy) made each time of the dense
 /// one, clipped to a narrow band. Quads; no normals.
 Work openvdb_volume_to_mesh(const std::shared_ptr<FlatField>& field, bool with_copy);

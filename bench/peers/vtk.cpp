@@ -12,6 +12,7 @@
 #include <vtkQuadricDecimation.h>
 #include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVersion.h>
 
 #include "peers/peers.h"
@@ -19,16 +20,38 @@
 namespace tegata::bench {
 namespace {
 
+constexpr int kStaysOurs = 1;  // of an array that VTK is not to free
+
 vtkSmartPointer<vtkImageData> image_of(FlatField& field) {
   const auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(field.points, field.points, field.points);
   const auto spacing = static_cast<double>(field.spacing);
   image->SetSpacing(spacing, spacing, spacing);
   const vtkNew<vtkFloatArray> values;
-  constexpr int kStaysOurs = 1;
   values->SetArray(field.values.data(), static_cast<vtkIdType>(field.values.size()), kStaysOurs);
   image->GetPointData()->SetScalars(values);
   return image;
+}
+
+FlatMesh flat(vtkPolyData& poly_data) {
+  FlatMesh mesh;
+  const auto point_count = static_cast<std::size_t>(poly_data.GetNumberOfPoints());
+  const auto cell_count = static_cast<std::size_t>(poly_data.GetNumberOfPolys());
+  mesh.vertices.reserve(3 * point_count);
+  for (std::size_t i = 0; i < point_count; ++i) {
+    double point[3];
+    poly_data.GetPoint(static_cast<vtkIdType>(i), point);
+    for (const double x : point) mesh.vertices.push_back(static_cast<float>(x));
+  }
+  mesh.triangles.reserve(3 * cell_count);
+  vtkCellArray& cells = *poly_data.GetPolys();
+  for (std::size_t i = 0; i < cell_count; ++i) {
+    vtkIdType corner_count = 0;
+    const vtkIdType* corners = nullptr;
+    cells.GetCellAtId(static_cast<vtkIdType>(i), corner_count, corners);
+    for (int c = 0; c < 3; ++c) mesh.triangles.push_back(static_cast<std::uint32_t>(corners[c]));
+  }
+  return mesh;
 }
 
 template <typename Filter>
@@ -48,8 +71,8 @@ Work isosurface(std::shared_ptr<FlatField> field, bool normals) {
 
 vtkSmartPointer<vtkPolyData> poly_data_of(const FlatMesh& mesh) {
   const vtkNew<vtkPoints> points;
-  for (std::size_t i = 0; i < mesh.vertices.size(); i += 3)
-    points->InsertNextPoint(&mesh.vertices[i]);
+  const float* vertices = mesh.vertices.data();
+  for (std::size_t i = 0; i < mesh.vertices.size(); i += 3) points->InsertNextPoint(vertices + i);
   const vtkNew<vtkCellArray> triangles;
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
     const std::array<vtkIdType, 3> corners = {mesh.triangles[i], mesh.triangles[i + 1],
@@ -60,23 +83,6 @@ vtkSmartPointer<vtkPolyData> poly_data_of(const FlatMesh& mesh) {
   poly_data->SetPoints(points);
   poly_data->SetPolys(triangles);
   return poly_data;
-}
-
-FlatMesh flat(vtkPolyData& poly_data) {
-  FlatMesh mesh;
-  for (vtkIdType i = 0; i < poly_data.GetNumberOfPoints(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      mesh.vertices.push_back(static_cast<float>(poly_data.GetPoint(i)[axis]));
-    }
-  }
-  const vtkNew<vtkIdList> corners;
-  for (vtkIdType i = 0; i < poly_data.GetPolys()->GetNumberOfCells(); ++i) {
-    poly_data.GetPolys()->GetCellAtId(i, corners);
-    for (vtkIdType c = 0; c < 3; ++c) {
-      mesh.triangles.push_back(static_cast<std::uint32_t>(corners->GetId(c)));
-    }
-  }
-  return mesh;
 }
 
 template <typename Filter>
@@ -113,6 +119,21 @@ Work vtk_flying_edges(std::shared_ptr<FlatField> field, bool normals) {
 
 Work vtk_marching_cubes(std::shared_ptr<FlatField> field, bool normals) {
   return isosurface<vtkMarchingCubes>(std::move(field), normals);
+}
+
+FlatMesh vtk_surface_of_voxels(std::vector<std::uint8_t>& inside, int voxels) {
+  const vtkNew<vtkImageData> image;
+  image->SetDimensions(voxels, voxels, voxels);
+  const vtkNew<vtkUnsignedCharArray> values;
+  values->SetArray(inside.data(), static_cast<vtkIdType>(inside.size()), kStaysOurs);
+  image->GetPointData()->SetScalars(values);
+  const vtkNew<vtkFlyingEdges3D> filter;
+  filter->SetInputData(image);
+  filter->SetValue(0, 0.5);
+  filter->ComputeNormalsOff();
+  filter->ComputeScalarsOff();
+  filter->Update();
+  return flat(*filter->GetOutput());
 }
 
 MeshWork vtk_quadric_decimation(const FlatMesh& mesh, std::size_t triangle_count) {
