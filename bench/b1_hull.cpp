@@ -63,7 +63,7 @@ void run_case(const Scene& scene, const Case& chosen, Report& report) {
   const std::size_t differing = count_differing_points(field, DenseField(scene.views, options));
   const auto points = static_cast<double>(lattice.point_count());
   report.check(work + ": points that differ from a dense loop, at most 1e-5",
-               fmt::format("{} of {:.3g}; {} leaves", differing, points, field.leaves.size()),
+               fmt::format("{} of {:.0f}; {} leaves", differing, points, field.leaves.size()),
                static_cast<double>(differing) <= kMostDiffering * points);
 }
 

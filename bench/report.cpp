@@ -9,6 +9,11 @@
 namespace tegata::bench {
 namespace {
 
+// Three digits, never with an exponent.
+std::string three_digits(double value) {
+  return value < 100.0 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
 void print_table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 3);
   for (const auto& row : rows) {
@@ -35,8 +40,8 @@ void Report::add(const std::string& work, const std::vector<Contestant>& contest
                  const std::vector<Timing>& timings) {
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     const double bar = contestants[i].bar, ratio = timings[i].ratio;
-    times_.push_back({work, contestants[i].name, fmt::format("{:.3g}", timings[i].milliseconds),
-                      fmt::format("{:.3g}", ratio), bar > 0.0 ? fmt::format("{:g}", bar) : "",
+    times_.push_back({work, contestants[i].name, three_digits(timings[i].milliseconds),
+                      three_digits(ratio), bar > 0.0 ? fmt::format("{:g}", bar) : "",
                       bar > 0.0 ? (ratio >= bar ? "yes" : "no") : ""});
   }
 }
