@@ -3,6 +3,7 @@
 #include "tegata/hull/block_sampling.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -14,6 +15,7 @@ constexpr std::size_t kLanes = SilhouetteBlock::kLanes;
 constexpr float kNobody = std::numeric_limits<float>::infinity();
 
 using Lanes = std::array<float, kLanes>;
+using ViewSets = std::array<std::int32_t, kLanes>;
 
 // Lattice points of the block, by lane; those past the last repeat the first.
 struct BlockPoints {
@@ -113,6 +115,27 @@ TEGATA_KERNEL void ask_unknown(const SampledView& view, const Projections& proje
   }
 }
 
+// Whether the views that see each point suffice, as SamplingRule::suffices says: 1 or 0.
+TEGATA_KERNEL void judge_views(const SamplingRule& rule, const ViewSets& seeing,
+                               const Lanes& seeing_count, Lanes& enough) {
+  alignas(64) Lanes see_across{};
+  for (std::size_t view = 0; view < rule.across.size(); ++view) {
+    const auto self = static_cast<std::int32_t>(ViewSet{1} << view);
+    const auto across = static_cast<std::int32_t>(rule.across[view]);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const std::int32_t set = seeing[i];
+      see_across[i] =
+          std::max(see_across[i], one_if((set & self) != 0) * one_if((set & across) != 0));
+    }
+  }
+  const float least = static_cast<float>(rule.least_views);
+  const float least_across = static_cast<float>(rule.least_across);
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const float by_pair = see_across[i] * one_if(seeing_count[i] >= least_across);
+    enough[i] = std::max(by_pair, one_if(seeing_count[i] >= least));
+  }
+}
+
 TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingRule& rule,
                           const LatticeIndex& low, SilhouetteBlock& block) {
   BlockPoints points;
@@ -124,14 +147,18 @@ TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingR
   alignas(64) std::array<Lanes, kMostDissentingViews + 1> smallest;  // in rising order
   const std::size_t kept = rule.dissenting_views + 1;
   for (std::size_t k = 0; k < kept; ++k) smallest[k].fill(kNobody);
-  alignas(64) Lanes seeing{}, against{};
+  alignas(64) Lanes seeing_count{}, against{}, enough;
+  alignas(64) ViewSets seeing{};
   Projections projections;
   Words words;
-  for (const SampledView& view : views) {
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const SampledView& view = views[v];
     project(view, points, projections);
     ask_view(view, projections, words);
     if (!view.unknown.empty()) ask_unknown(view, projections, words);
-    for (std::size_t i = 0; i < kLanes; ++i) seeing[i] += projections.seen[i];
+    const auto self = static_cast<std::int32_t>(ViewSet{1} << v);
+    for (std::size_t i = 0; i < kLanes; ++i) seeing_count[i] += projections.seen[i];
+    for (std::size_t i = 0; i < kLanes; ++i) seeing[i] |= projections.seen[i] > 0.0f ? self : 0;
     for (std::size_t i = 0; i < kLanes; ++i) against[i] += words.against[i];
     for (std::size_t k = 0; k < kept; ++k) {
       for (std::size_t i = 0; i < kLanes; ++i) {
@@ -141,14 +168,17 @@ TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingR
       }
     }
   }
-  const float least = static_cast<float>(rule.least_views);
+  judge_views(rule, seeing, seeing_count, enough);
   const float outside_value = rule.outside_value;
   const float dissenting = static_cast<float>(rule.dissenting_views);
   const Lanes& rank = smallest[rule.dissenting_views];
   for (std::size_t i = 0; i < kLanes; ++i) {
-    block.field[i] = seeing[i] < least ? outside_value : rank[i];
+    block.field[i] = enough[i] > 0.0f ? rank[i] : outside_value;
   }
-  for (std::size_t i = 0; i < kLanes; ++i) block.unproven[i] = against[i] > dissenting ? 1 : 0;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const float kept_by_unknown = one_if(against[i] > dissenting) * one_if(rank[i] > 0.0f);
+    block.unproven[i] = kept_by_unknown + (1.0f - enough[i]) > 0.0f ? 1 : 0;
+  }
 }
 
 using Sample = void(const std::vector<SampledView>&, const SamplingRule&, const LatticeIndex&,
@@ -168,6 +198,16 @@ TEGATA_AVX512 void sample_avx512(const std::vector<SampledView>& views, const Sa
 }
 
 }  // namespace
+
+bool SamplingRule::suffices(ViewSet views) const {
+  const auto count = static_cast<std::size_t>(std::popcount(views));
+  if (count >= least_views) return true;
+  if (count < least_across) return false;
+  for (std::size_t view = 0; view < across.size(); ++view) {
+    if ((views >> view & 1u) != 0 && (views & across[view]) != 0) return true;
+  }
+  return false;
+}
 
 void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule,
                   const LatticeIndex& low, InstructionSet set, SilhouetteBlock& block) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "tegata/base/instruction_set.h"
@@ -28,19 +29,30 @@ struct SampledView {
   float left = 0.0f, top = 0.0f;
 };
 
+inline constexpr std::size_t kMostViews = 32;  ///< as many as a set of views has bits
+inline constexpr std::size_t kMostDissentingViews = 15;
+
+/// Views as bits.
+using ViewSet = std::uint32_t;
+
 /// How the views' words are weighed; see HullOptions.
 struct SamplingRule {
-  std::size_t least_views = 2;
+  std::size_t least_views = 2;       ///< so many views suffice to see a point,
+  std::size_t least_across = 2;      ///< or so many of which two look across each other:
+  std::vector<ViewSet> across;       ///< by view, those across it; empty: none
   std::size_t dissenting_views = 0;  ///< at most kMostDissentingViews
-  float outside_value = -1.0f;       ///< where too few views see a point [m]
+  float outside_value = -1.0f;       ///< where views do not suffice [m]
+
+  /// Whether a point that these views see is seen well enough.
+  bool suffices(ViewSet views) const;
 };
-inline constexpr std::size_t kMostDissentingViews = 15;
 
 using SilhouetteBlock = BlockValues<4>;
 
 /// The field at the points of a block: the (dissenting_views + 1)th smallest of how far inside
-/// their silhouettes' edges the views that see the point say that it is [m]. Every instruction set
-/// gives the same bits; it must be supported.
+/// their silhouettes' edges the views that see the point say that it is [m]. Unproven are points
+/// that only unknown pixels keep inside, and those that are outside because too few views see them.
+/// Every instruction set gives the same bits; it must be supported.
 void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule,
                   const LatticeIndex& low, InstructionSet set, SilhouetteBlock& block);
 

@@ -24,16 +24,6 @@ struct Ray {
   Eigen::Vector3d from, direction;
 };
 
-// The ray through the middle of what a view shows.
-Ray middle_ray(const SilhouetteField& field, std::size_t view) {
-  const Camera& camera = field.camera(view);
-  const Eigen::AlignedBox2i box = field.foreground(view);
-  const Eigen::Vector2d middle =
-      box.isEmpty() ? Eigen::Vector2d(0.5 * camera.width, 0.5 * camera.height)
-                    : Eigen::Vector2d(0.5 * (box.min() + box.max()).cast<double>());
-  return {camera.center_in_world(), pixel_direction(camera, middle)};
-}
-
 // How far from the cameras to look: twice the largest distance to the point that comes nearest to
 // all middle rays, and no less than the distances between cameras.
 double first_reach(const SilhouetteField& field) {
@@ -43,7 +33,9 @@ double first_reach(const SilhouetteField& field) {
   Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
   std::vector<Ray> rays;
-  for (std::size_t i = 0; i < field.view_count(); ++i) rays.push_back(middle_ray(field, i));
+  for (std::size_t i = 0; i < field.view_count(); ++i) {
+    rays.push_back({field.camera(i).center_in_world(), field.middle_direction(i)});
+  }
   const Eigen::Vector3d origin = rays.front().from;
   double baseline = 0.0;
   for (const Ray& ray : rays) {
@@ -158,8 +150,11 @@ Eigen::AlignedBox3d search_region(const SilhouetteField& field) {
 }  // namespace
 
 Eigen::AlignedBox3d locate_region(const SilhouetteField& field) {
-  const Eigen::AlignedBox3d region = search_region(field);
-  if (!region.isEmpty()) return region;
+  // What only two views see may be there by chance, if nothing is that many see.
+  if (!field.asks_pairs() || !search_region(field.by_number()).isEmpty()) {
+    const Eigen::AlignedBox3d region = search_region(field);
+    if (!region.isEmpty()) return region;
+  }
   constexpr const char* kCauses =
       ": are cameras swapped, frames of different times, the calibration or its scale wrong, or a "
       "mask on something else than the hand?";

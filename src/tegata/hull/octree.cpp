@@ -37,6 +37,7 @@ class CalledSource {
         point.field = source_.sample(
             root_.origin + root_.cell_size * Eigen::Vector3d(index[0], index[1], index[2]),
             point.unproven);
+        point.unproven = point.unproven && point.field > 0.0f;
         point.known = true;
       }
       block.field[i] = point.field;

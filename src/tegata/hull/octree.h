@@ -18,7 +18,9 @@ using LatticeIndex = std::array<std::int32_t, 3>;
 struct OctreeLeaf {
   LatticeIndex index;          ///< its lowest corner
   std::array<float, 8> field;  ///< at its corners, x fastest, then y, then z; positive inside
-  bool unproven = false;       ///< some of its inside corners are inside by unknown pixels only
+  /// At some of its corners nothing proves what the field says: they are inside by unknown pixels
+  /// only, or outside because too few views see them.
+  bool unproven = false;
 };
 
 /// A field known only where it changes sign: the leaves of an octree. A corner is inside where the

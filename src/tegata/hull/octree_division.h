@@ -32,7 +32,7 @@ struct BlockValues {
   static constexpr std::size_t kPoints = kSide * kSide * kSide;
   static constexpr std::size_t kLanes = (kPoints + 15) / 16 * 16;  ///< with room for vectors
   alignas(64) std::array<float, kLanes> field;
-  std::array<std::uint8_t, kLanes> unproven;  ///< 1 where only unknown pixels say "inside"
+  std::array<std::uint8_t, kLanes> unproven;  ///< 1 where nothing proves what the field says
 };
 
 /// FieldSource for compilers: State is what a cube hands down to its eighths (copied to each), such
@@ -133,7 +133,7 @@ class OctreeDivision {
     for (std::size_t i = 0; i < 8; ++i) {
       const std::size_t at = first + (i & 1) + kSide * ((i >> 1 & 1) + kSide * (i >> 2));
       leaf.field[i] = block_.field[at];
-      leaf.unproven |= block_.unproven[at] != 0 && block_.field[at] > 0.0f;
+      leaf.unproven |= block_.unproven[at] != 0;
     }
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,7 +18,8 @@ namespace {
 constexpr double kSlack = 1e-6;
 // Around the foreground, distances are measured so far [px]; beyond they go on as a straight line.
 constexpr int kDistanceMargin = 4;
-constexpr std::size_t kRememberedViews = 64;
+
+std::size_t count_views(ViewSet views) { return static_cast<std::size_t>(std::popcount(views)); }
 
 static_assert(static_cast<int>(PixelLabel::background) == 0);
 bool is_foreground(PixelLabel label) { return label != PixelLabel::background; }
@@ -41,26 +43,42 @@ void check_view(const HullView& view) {
   }
 }
 
-// How many views must see a point. Throws Error where the options do not suit so many views.
-std::size_t resolve_least_views(const HullOptions& options, std::size_t view_count) {
+// More than half of the views, and at least two.
+std::size_t majority(std::size_t view_count) {
+  return std::max(std::size_t{2}, view_count / 2 + 1);
+}
+
+void check_options(const HullOptions& options, std::size_t view_count) {
   if (!(options.voxel_size > 0.0) || !std::isfinite(options.voxel_size)) {
     throw Error("hull: got voxel_size = ", options.voxel_size, " m, expected a positive size");
   }
-  if (view_count < 2) {
-    throw Error("hull: got ", view_count, " views, expected 2 or more");
+  if (view_count < 2 || view_count > kMostViews) {
+    throw Error("hull: got ", view_count, " views, expected 2 to ", kMostViews);
   }
-  const int count = static_cast<int>(view_count);
-  const int least = options.least_views == 0 ? std::max(2, count / 2 + 1) : options.least_views;
+  const int count = static_cast<int>(view_count), asked = options.least_views;
+  const int least = asked == 0 ? static_cast<int>(majority(view_count)) : asked;
   if (least < 1 || least > count) {
     throw Error("hull: got least_views = ", least, ", expected 1 to the number of views, ", count,
-                ", or 0 for more than half of them");
+                ", or 0 to have it chosen");
   }
   const int most = std::min(least - 1, static_cast<int>(kMostDissentingViews));
   if (options.dissenting_views < 0 || options.dissenting_views > most) {
     throw Error("hull: got dissenting_views = ", options.dissenting_views, ", expected 0 to ", most,
                 ": fewer than the ", least, " views that must see a point");
   }
-  return static_cast<std::size_t>(least);
+}
+
+// For each view the views that look across it: neither along with it nor towards it.
+std::vector<ViewSet> views_across(const std::vector<Eigen::Vector3d>& directions) {
+  constexpr double kLeastSine = 0.7071;  // of 45 and of 135 degrees
+  std::vector<ViewSet> across(directions.size(), 0);
+  for (std::size_t a = 0; a < directions.size(); ++a) {
+    for (std::size_t b = 0; b < directions.size(); ++b) {
+      const bool is_across = directions[a].cross(directions[b]).norm() > kLeastSine;
+      if (is_across) across[a] |= ViewSet{1} << b;
+    }
+  }
+  return across;
 }
 
 // The box of all pixels that are not background. What lies between is not looked at.
@@ -83,10 +101,8 @@ Eigen::AlignedBox2i foreground_box(const Silhouette& silhouette) {
 
 }  // namespace
 
-SilhouetteField::SilhouetteField(const std::vector<HullView>& views, const HullOptions& options)
-    : rule_{.least_views = resolve_least_views(options, views.size()),
-            .dissenting_views = static_cast<std::size_t>(options.dissenting_views),
-            .outside_value = -static_cast<float>(options.voxel_size)} {
+SilhouetteField::SilhouetteField(const std::vector<HullView>& views, const HullOptions& options) {
+  check_options(options, views.size());
   std::string empty_views;
   std::size_t empty_count = 0;
   bool has_hand = false;
@@ -100,6 +116,7 @@ SilhouetteField::SilhouetteField(const std::vector<HullView>& views, const HullO
     if (!views_.back().foreground.isEmpty()) continue;
     empty_views += text(empty_count++ == 0 ? "'" : ", '", source.camera.name, "'");
   }
+  set_rule(options);
   if (empty_count > rule_.dissenting_views) {
     throw Error("hull: the silhouette of ", empty_views,
                 " is all background, expected hand pixels in every view (or unknown ones where "
@@ -110,6 +127,34 @@ SilhouetteField::SilhouetteField(const std::vector<HullView>& views, const HullO
         "hull: no view has a pixel that is hand, expected some: unknown pixels alone prove "
         "nothing");
   }
+}
+
+void SilhouetteField::set_rule(const HullOptions& options) {
+  rule_.dissenting_views = static_cast<std::size_t>(options.dissenting_views);
+  rule_.outside_value = -static_cast<float>(options.voxel_size);
+  if (options.least_views > 0) {
+    rule_.least_views = static_cast<std::size_t>(options.least_views);
+    return;
+  }
+  std::vector<Eigen::Vector3d> directions;
+  for (std::size_t i = 0; i < views_.size(); ++i) directions.push_back(middle_direction(i));
+  rule_.across = views_across(directions);
+  rule_.least_across = 2 + rule_.dissenting_views;
+  rule_.least_views = majority(views_.size());
+}
+
+SilhouetteField SilhouetteField::by_number() const {
+  SilhouetteField strict = *this;
+  strict.rule_.across.clear();
+  return strict;
+}
+
+Eigen::Vector3d SilhouetteField::middle_direction(std::size_t view) const {
+  const Eigen::AlignedBox2i box = foreground(view);
+  const Eigen::Vector2d middle =
+      box.isEmpty() ? Eigen::Vector2d(0.5 * camera(view).width, 0.5 * camera(view).height)
+                    : Eigen::Vector2d(0.5 * (box.min() + box.max()).cast<double>());
+  return pixel_direction(camera(view), middle);
 }
 
 SilhouetteField::View SilhouetteField::make_view(const HullView& source) {
@@ -217,7 +262,7 @@ void SilhouetteField::sample(const LatticeIndex& low, SilhouetteBlock& block) co
 }
 
 SilhouetteField SilhouetteField::without(std::size_t view) const {
-  SilhouetteField rest = *this;
+  SilhouetteField rest = by_number();
   rest.views_.erase(rest.views_.begin() + static_cast<std::ptrdiff_t>(view));
   rest.rule_.least_views = std::min(rule_.least_views, rest.views_.size());
   rest.rule_.dissenting_views = std::min(rule_.dissenting_views, rest.rule_.least_views - 1);
@@ -293,51 +338,43 @@ SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen:
 
 Occupancy SilhouetteField::classify(const Eigen::Vector3d& center, double half_side,
                                     State& state) const {
-  std::size_t outside = 0, outside_in_part = 0, blind = 0, content = 0, see_all = 0;
+  ViewSet outside_in_part = 0, inside_in_part = 0, see_all = 0;
   for (std::size_t i = 0; i < views_.size(); ++i) {
-    const std::uint64_t bit = i < kRememberedViews ? std::uint64_t{1} << i : 0;
-    Judgement judgement;
-    if ((state.inside & bit) != 0) {
-      judgement = {Verdict::inside, true};
-    } else if ((state.outside & bit) != 0) {
-      judgement = {Verdict::outside, true};
-    } else if ((state.blind & bit) != 0) {
-      judgement = {Verdict::blind, false};
-    } else {
-      judgement = judge(views_[i], center, half_side);
-    }
-    see_all += judgement.sees_all ? 1 : 0;
+    const ViewSet bit = ViewSet{1} << i;
+    if (((state.inside | state.outside) & bit) != 0) see_all |= bit;
+    if (((state.inside | state.outside | state.blind) & bit) != 0) continue;
+    const Judgement judgement = judge(views_[i], center, half_side);
+    if (judgement.sees_all) see_all |= bit;
     switch (judgement.verdict) {
       case Verdict::outside:
         state.outside |= bit;
-        if (++outside > rule_.dissenting_views) return Occupancy::outside;
         break;
       case Verdict::blind:
         state.blind |= bit;
-        ++blind;
-        break;
-      case Verdict::outside_as_far_as_seen:
-        ++outside_in_part;
         break;
       case Verdict::inside:
         state.inside |= bit;
-        ++content;
+        break;
+      case Verdict::outside_as_far_as_seen:
+        outside_in_part |= bit;
         break;
       case Verdict::inside_as_far_as_seen:
-        ++content;
+        inside_in_part |= bit;
         break;
       case Verdict::undecided:
         break;
     }
+    if (count_views(state.outside) > rule_.dissenting_views) return Occupancy::outside;
   }
-  // A point that survives is seen by so many views at most: of those that see background wherever
-  // they see anything, no more than may still dissent.
-  const std::size_t most_views = views_.size() - blind - outside_in_part +
-                                 std::min(outside_in_part, rule_.dissenting_views - outside);
-  if (most_views < rule_.least_views) return Occupancy::outside;
-  const std::size_t may_object = views_.size() - content - blind;
-  return may_object <= rule_.dissenting_views && see_all >= rule_.least_views ? Occupancy::inside
-                                                                              : Occupancy::mixed;
+  // A point that survives is seen by so many views at most: where no more may dissent, none of
+  // those that see background wherever they see anything.
+  ViewSet may_see = ~state.blind & (~ViewSet{0} >> (kMostViews - views_.size()));
+  if (count_views(state.outside) == rule_.dissenting_views) may_see &= ~outside_in_part;
+  if (!rule_.suffices(may_see)) return Occupancy::outside;
+  const ViewSet content = state.inside | inside_in_part | state.blind;
+  return views_.size() - count_views(content) <= rule_.dissenting_views && rule_.suffices(see_all)
+             ? Occupancy::inside
+             : Occupancy::mixed;
 }
 
 }  // namespace tegata

@@ -21,11 +21,11 @@ class SilhouetteField {
   /// show nothing, and on options that the number of views does not allow.
   SilhouetteField(const std::vector<HullView>& views, const HullOptions& options);
 
-  /// What a cube's eighths need not ask again, by view (of the first 64).
+  /// What a cube's eighths need not ask again.
   struct State {
-    std::uint64_t inside = 0;   ///< sees all of the cube, and all of it before the hand
-    std::uint64_t outside = 0;  ///< sees all of the cube, and all of it before the background
-    std::uint64_t blind = 0;    ///< sees nothing of it
+    ViewSet inside = 0;   ///< see all of the cube, and all of it before the hand
+    ViewSet outside = 0;  ///< see all of the cube, and all of it before the background
+    ViewSet blind = 0;    ///< see nothing of it
   };
   Occupancy classify(const Eigen::Vector3d& center, double half_side, State& state) const;
 
@@ -36,13 +36,21 @@ class SilhouetteField {
   static constexpr int kBlockCells = 4;
   void sample(const LatticeIndex& low, SilhouetteBlock& block) const;
 
-  /// The same without one view, and with as many views asked for as are left.
+  /// Whether two views that look across each other may suffice where their number does not.
+  bool asks_pairs() const {
+    return !rule_.across.empty() && rule_.least_across < rule_.least_views;
+  }
+  /// The same, but so that only the number of views that see a point counts.
+  SilhouetteField by_number() const;
+  /// By number, without one view, and with as many views asked for as are left.
   SilhouetteField without(std::size_t view) const;
 
   std::size_t view_count() const { return views_.size(); }
   const std::string& name(std::size_t view) const { return views_[view].source->camera.name; }
   /// The pixels of a view that are hand or unknown: all lie in this box.
   Eigen::AlignedBox2i foreground(std::size_t view) const { return views_[view].foreground; }
+  /// The direction in which a view sees the middle of its foreground, in the world.
+  Eigen::Vector3d middle_direction(std::size_t view) const;
   const Camera& camera(std::size_t view) const { return views_[view].source->camera; }
 
  private:
@@ -70,6 +78,7 @@ class SilhouetteField {
     bool sees_all = false;
   };
   static View make_view(const HullView& source);
+  void set_rule(const HullOptions& options);
   static bool misses_frustum(const View& view, const Eigen::Vector3d& h, double half_side);
   static Judgement judge(const View& view, const Eigen::Vector3d& center, double half_side);
   static std::uint32_t count_foreground(const View& view, const Eigen::AlignedBox2i& pixels);
