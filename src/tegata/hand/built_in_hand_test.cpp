@@ -4,12 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <set>
-#include <tuple>
 
 #include "tegata/base/error.h"
 #include "tegata/hand/hand_solid.h"
 #include "tegata/hand/test_hand.h"
+#include "tegata/hand/winding_volume_for_tests.h"
+#include "tegata/mesh/closest_point.h"
 
 namespace tegata {
 namespace {
@@ -100,13 +102,96 @@ TEST(BuiltInHand, NoFingerPullsAtAnother) {
   }
 }
 
-TEST(BuiltInHand, BendingKeepsTheVolumeRoughly) {
+/// Fine enough for the cut between finger and palm to be nearly the same line in all poses.
+const HandModel& fine_hand() {
+  static const HandModel model =
+      built_in_hand(HandShape(), Side::right, {.cell_size = 0.002, .triangle_count = 12000});
+  return model;
+}
+
+test::WindingVolume digit_volume(int digit, const JointAngles& angles) {
+  const TriangleMesh surface = PosedHand(fine_hand(), HandPose{{}, angles}).surface();
+  return test::winding_volume(test::digit_surface(fine_hand(), surface, digit), 0.0006);
+}
+
+// Linear blending thins what it bends. The surface is made half bent so that no joint goes further
+// than about 65 degrees from there.
+TEST(BuiltInHand, FingersKeepTheirVolumeAtTheirLimits) {
+  const auto& [lower, upper] = angle_limits();
+  for (int digit = 0; digit < kDigitCount; ++digit) {
+    const int first = 4 * digit + (digit == 0 ? 2 : 1), last = 4 * digit + 3;
+    const double flat_volume = digit_volume(digit, JointAngles::Zero()).solid;
+    std::vector<JointAngles> poses(2, JointAngles::Zero());
+    for (int angle = first; angle <= last; ++angle) {
+      poses[0][angle] = lower[angle];
+      poses[1][angle] = upper[angle];
+      poses.push_back(JointAngles::Zero());
+      poses.back()[angle] = upper[angle];
+    }
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const test::WindingVolume volume = digit_volume(digit, poses[i]);
+      EXPECT_NEAR(volume.solid / flat_volume, 1.0, 0.1) << "digit " << digit << ", pose " << i;
+      EXPECT_LT(volume.overlap, 0.02 * flat_volume) << "digit " << digit << ", pose " << i;
+      EXPECT_LT(volume.inverted, 0.002 * flat_volume) << "digit " << digit << ", pose " << i;
+    }
+  }
+}
+
+TEST(BuiltInHand, FingerBentBeyondItsLimitDoesNotCollapse) {
+  constexpr double kBend = 110.0 * std::numbers::pi / 180.0;
+  for (int digit = 1; digit < kDigitCount; ++digit) {
+    JointAngles angles = JointAngles::Zero();
+    const double flat_volume = digit_volume(digit, angles).solid;
+    angles[4 * digit + 2] = kBend;
+    EXPECT_NEAR(digit_volume(digit, angles).solid / flat_volume, 1.0, 0.06) << digit;
+    // From the joint to the knuckle's skin it is as thick as when it is straight, but for a fifth.
+    const auto thickness = [&](double bend) {
+      JointAngles bent = JointAngles::Zero();
+      bent[4 * digit + 2] = bend;
+      const PosedHand hand(fine_hand(), HandPose{{}, bent});
+      return NearestSurface(hand.surface())
+          .nearest(hand.keypoints()[static_cast<std::size_t>(4 * digit + 2)])
+          .distance;
+    };
+    EXPECT_GT(thickness(kBend), 0.75 * thickness(0.0)) << digit;
+  }
+}
+
+TEST(BuiltInHand, WholeHandKeepsItsVolumeInGrasps) {
   const double flat_volume = enclosed_volume(PosedHand(mean_hand(), flat()).surface());
   HandPose pose;
   for (int digit = 1; digit < kDigitCount; ++digit) {
     pose.angles.segment<4>(4 * digit) << 0.0, 1.4, 1.5, 0.8;
   }
   EXPECT_NEAR(enclosed_volume(PosedHand(mean_hand(), pose).surface()) / flat_volume, 1.0, 0.08);
+  pose.angles = relaxed_angles();
+  EXPECT_NEAR(enclosed_volume(PosedHand(mean_hand(), pose).surface()) / flat_volume, 1.0, 0.03);
+}
+
+// In a fist neighbouring fingers press against each other, most at their roots, which stand closer
+// than they are broad. Nothing else may be crossed: no finger
+// itself, and the palm by no fingertip.
+TEST(BuiltInHand, FistCrossesItselfOnlyWhereFingersPressAgainstEachOther) {
+  JointAngles angles;
+  angles << 40.0, 0.0, 10.0, 10.0,  // thumb, out of the way
+      0.0, 76.0, 96.0, 52.0,        // index
+      0.0, 76.0, 96.0, 52.0,        // middle
+      0.0, 76.0, 96.0, 52.0,        // ring
+      3.0, 76.0, 96.0, 52.0;        // little
+  angles *= std::numbers::pi / 180.0;
+  const TriangleMesh surface = PosedHand(fine_hand(), HandPose{{}, angles}).surface();
+  const test::WindingVolume whole = test::winding_volume(surface, 0.0006);
+  double pressed = 0.0;
+  TriangleMesh before = test::digit_surface(fine_hand(), surface, 1);
+  for (int digit = 2; digit < kDigitCount; ++digit) {
+    const TriangleMesh next = test::digit_surface(fine_hand(), surface, digit);
+    const double between = test::winding_volume(test::side_by_side(before, next), 0.0006).overlap;
+    EXPECT_LT(between, 0.15 * test::winding_volume(next, 0.0006).solid) << digit;
+    pressed += between;
+    before = next;
+  }
+  EXPECT_LT(whole.overlap - pressed, 0.002 * whole.solid);
+  EXPECT_LT(whole.inverted, 0.0005 * whole.solid);
 }
 
 TEST(BuiltInHand, LeftIsTheMirrorImage) {

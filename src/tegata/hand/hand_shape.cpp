@@ -167,11 +167,11 @@ Skeleton right_skeleton(const HandShape& shape) {
 const JointAngles& meshing_angles() {
   static const JointAngles angles = [] {
     JointAngles degrees;
-    degrees << 25.0, 0.0, 12.0, 12.0,  // thumb
-        10.0, 14.0, 20.0, 10.0,        // index
-        0.0, 14.0, 20.0, 10.0,         // middle
-        10.0, 14.0, 20.0, 10.0,        // ring
-        16.0, 14.0, 20.0, 10.0;        // little
+    degrees << 25.0, 6.0, 22.0, 28.0,  // thumb
+        11.0, 26.0, 42.0, 28.0,        // index
+        0.0, 26.0, 42.0, 28.0,         // middle
+        9.0, 26.0, 42.0, 28.0,         // ring
+        16.0, 26.0, 42.0, 28.0;        // little
     return JointAngles(degrees * kDegree);
   }();
   return angles;

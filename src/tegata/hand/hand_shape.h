@@ -16,12 +16,12 @@ enum class Sex { female, male };
 /// beside the numbers in hand_shape.cpp. What is a factor multiplies what goes with the size above
 /// it, so that a hand of factors 1 is fully described by the first sizes.
 struct HandShape {
-  double length = 0.189;          ///< wrist crease to the tip of the middle finger, factors 1 [m]
-  double palm_breadth = 0.084;    ///< at the finger knuckles; the digits' thickness goes with it
-  double palm_thickness = 0.028;  ///< at the finger knuckles [m]
-  double finger_thickness = 1.0;  ///< factor on all digits' radii
-  double forearm_length = 0.05;   ///< of the stump beyond the wrist [m]
-  double palm_length = 1.0;       ///< factor on the wrist's distance to the digits' first joints
+  double length = 0.189;           ///< wrist crease to the tip of the middle finger, factors 1 [m]
+  double palm_breadth = 0.084;     ///< at the finger knuckles; the digits' thickness goes with it
+  double palm_thickness = 0.0305;  ///< at the finger knuckles [m]
+  double finger_thickness = 1.0;   ///< factor on all digits' radii
+  double forearm_length = 0.05;    ///< of the stump beyond the wrist [m]
+  double palm_length = 1.0;        ///< factor on the wrist's distance to the digits' first joints
   std::array<double, kDigitCount> digit_thickness = {1.0, 1.0, 1.0, 1.0, 1.0};  ///< factors
   /// Factors on the bones' lengths, in the order of bone_names() after the palm.
   std::array<double, kBoneCount - 1> bone_lengths = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,

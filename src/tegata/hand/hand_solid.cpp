@@ -31,41 +31,48 @@ struct PalmPart {
 };
 
 // Drawn, on the joints of hand_shape.cpp, to the breadths and depths in HandShape: a breadth of 84
-// and a thickness of 28 across the knuckles, a wrist of 58 by 40 (mean adult: DIN 33402-2).
+// and a thickness of 30 across the knuckles, a wrist of 58 by 40 (mean adult: DIN 33402-2), 48
+// through the ball of the thumb (Pheasant 1986).
 constexpr PalmPart kPalmParts[] = {
     // the metacarpals
-    {-12.0, 26.0, 2.0, 11.0, -21.5, 85.0, -1.5, 11.5, 1.0},
-    {-2.0, 27.0, 3.0, 11.5, 0.0, 85.0, 0.0, 11.5, 1.0},
-    {8.0, 26.0, 2.0, 11.0, 17.3, 78.0, -1.5, 11.0, 1.0},
-    {16.0, 23.0, 0.0, 11.0, 34.0, 70.0, -5.0, 10.2, 1.0},
-    // the flesh in front of them
-    {-15.0, 45.0, -6.0, 8.0, -20.0, 86.0, -6.5, 9.5, 1.0},
-    {0.0, 40.0, -6.0, 8.5, 0.0, 87.0, -6.5, 9.5, 1.0},
-    {10.0, 36.0, -6.0, 9.0, 17.5, 80.0, -7.0, 9.0, 1.0},
-    {22.0, 30.0, -7.0, 10.0, 33.0, 73.0, -9.0, 8.5, 1.0},
+    {-12.0, 26.0, 2.5, 11.0, -21.5, 84.0, -1.5, 11.2, 1.0},
+    {-2.0, 27.0, 3.0, 11.5, 0.0, 84.0, 0.0, 11.5, 1.0},
+    {8.0, 26.0, 2.0, 11.0, 17.3, 77.0, -1.5, 11.0, 1.0},
+    {16.0, 23.0, 0.0, 11.0, 34.0, 69.0, -5.0, 10.2, 1.0},
+    // the flesh in front of them, thickest as pads behind the fingers
+    {-17.0, 48.0, -6.5, 8.0, -20.5, 86.0, -7.5, 10.2, 1.0},
+    {-1.0, 44.0, -6.0, 8.0, 0.0, 88.0, -7.5, 10.4, 1.0},
+    {11.0, 40.0, -7.0, 9.0, 17.5, 81.0, -8.5, 9.8, 1.0},
+    {24.0, 34.0, -8.0, 10.0, 33.0, 74.0, -10.0, 9.0, 1.0},
     // the eminences of the little finger and, as far as it stays behind, of the thumb
-    {20.0, 14.0, -8.0, 13.0, 32.0, 48.0, -8.0, 12.5, 1.0},
-    {-9.0, 16.0, -10.0, 12.0, -12.0, 42.0, -8.0, 9.0, 1.0},
+    {20.5, 14.0, -9.0, 13.0, 31.0, 45.0, -8.5, 13.5, 1.0},
+    {-14.0, 9.0, -9.5, 13.0, -15.0, 42.0, -8.0, 10.5, 1.0},
     // the wrist's bones
-    {0.0, 2.0, -1.0, 25.0, 2.0, 26.0, -2.0, 27.0, 0.62},
+    {0.0, 2.0, -1.0, 25.0, 2.0, 26.0, -2.0, 27.0, 0.64},
 };
 
-// The webs between the fingers.
+// The webs between the fingers, in front of and between their first joints.
 constexpr PalmPart kWebParts[] = {
-    {-17.0, 94.0, -4.0, 7.5, -4.0, 96.0, -4.0, 7.5, 0.9},
-    {4.0, 95.0, -4.0, 7.5, 15.0, 90.0, -5.0, 7.5, 0.9},
-    {20.0, 88.0, -5.0, 7.0, 31.0, 81.0, -7.0, 6.5, 0.9},
+    {-17.0, 94.0, -7.0, 7.0, -4.0, 96.0, -7.0, 7.0, 0.9},
+    {-11.5, 86.0, -4.0, 8.0, -11.2, 99.5, -9.0, 6.0, 0.9},
+    {4.0, 95.0, -7.0, 7.0, 15.0, 90.0, -8.0, 7.0, 0.9},
+    {9.0, 84.0, -4.0, 8.0, 10.3, 98.5, -9.5, 6.0, 0.9},
+    {20.0, 87.0, -8.0, 6.5, 31.0, 80.0, -10.0, 6.5, 0.9},
+    {25.5, 76.0, -6.0, 7.5, 27.3, 89.5, -11.0, 5.5, 0.9},
 };
 
 /// A digit's half breadths in the mean hand [mm]: at its first joint, the next two and in the tip.
-/// Within the ranges of finger breadths in Greiner, Hand anthropometry of U.S. Army personnel,
-/// 1991, women and men together.
-constexpr double kRadii[kDigitCount][4] = {{12.5, 11.2, 10.6, 8.6},
-                                           {10.8, 9.6, 8.5, 7.2},
-                                           {10.9, 9.8, 8.7, 7.4},
-                                           {10.2, 9.2, 8.1, 7.0},
-                                           {9.2, 8.1, 7.1, 6.2}};
+/// At the index finger's second joint and the thumb's third as in Pheasant 1986 (19.5 and 21 mm
+/// across), the others within the ranges of finger breadths in Greiner, Hand anthropometry of U.S.
+/// Army personnel, 1991, women and men together.
+constexpr double kRadii[kDigitCount][4] = {{12.5, 10.8, 10.2, 7.4},
+                                           {11.0, 9.7, 8.4, 6.8},
+                                           {11.2, 9.9, 8.6, 7.0},
+                                           {10.5, 9.3, 8.0, 6.6},
+                                           {9.4, 8.1, 7.0, 5.9}};
 constexpr double kDigitFlatness = 0.88;  // depth to breadth
+constexpr double kNailFlatness = 0.80;   // the same at the tip
+constexpr double kWaist = 0.93;          // breadth halfway between joints to that of a cone
 
 }  // namespace
 
@@ -127,49 +134,57 @@ void HandSolid::add_palm() {
 
 void HandSolid::add_finger(const Skeleton& skeleton, const Transforms& transforms,
                            std::size_t digit) {
-  constexpr double scale = kMillimetre;
-  const Eigen::Vector3d flexion = skeleton.axes[4 * digit + 1];
+  const Eigen::Vector3d flexion = skeleton.axes[4 * digit + 2];
   for (std::size_t i = 0; i < 3; ++i) {
     const Rigid3d& bone = transforms[1 + 3 * digit + i];
     const Eigen::Vector3d& near = skeleton.keypoints[1 + 4 * digit + i];
     const Eigen::Vector3d& far = skeleton.keypoints[2 + 4 * digit + i];
     const Eigen::Vector3d along = (far - near).normalized();
     const Eigen::Vector3d palmar = flexion.cross(along);
-    const double near_radius = scale * kRadii[digit][i], far_radius = scale * kRadii[digit][i + 1];
-    const Eigen::Vector3d end = i == 2 ? Eigen::Vector3d(far - far_radius * along) : far;
-    const auto add = [&](const RoundedCone::Ends& ends) {
+    const double near_radius = kMillimetre * kRadii[digit][i];
+    const double far_radius = kMillimetre * kRadii[digit][i + 1];
+    const auto add = [&](const RoundedCone::Ends& ends, double flatness) {
       digits_[digit].emplace_back(
           RoundedCone::Ends{bone * ends.a, bone * ends.b, ends.radius_a, ends.radius_b},
-          bone.rotation * palmar, kDigitFlatness);
+          bone.rotation * palmar, flatness);
     };
-    // The bone with the joints as its thickest places, and the pulp on its palmar side.
-    const Eigen::Vector3d pulp = 2.2 * scale * palmar;
-    add({near, end, near_radius, far_radius});
-    add({near + 0.32 * (end - near) + pulp, near + (i == 2 ? 0.9 : 0.68) * (end - near) + pulp,
-         0.9 * near_radius, (i == 2 ? 0.96 : 0.92) * far_radius});
+    const bool is_last = i == 2;
+    const Eigen::Vector3d end = is_last ? Eigen::Vector3d(far - far_radius * along) : far;
+    // The bone, thickest at the joints; the last one sinks towards the pad below the nail.
+    const Eigen::Vector3d sunk = end + (is_last ? 1.0 : 0.0) * kMillimetre * palmar;
+    const Eigen::Vector3d middle = 0.5 * (near + sunk);
+    const double waist = kWaist * 0.5 * (near_radius + far_radius);
+    const double flatness = is_last ? kNailFlatness : kDigitFlatness;
+    add({near, middle, near_radius, waist}, kDigitFlatness);
+    add({middle, sunk, waist, far_radius}, flatness);
+    // The flesh on its palmar side.
+    const Eigen::Vector3d flesh = 2.4 * kMillimetre * palmar, way = end - near;
+    add({near + 0.34 * way + flesh, near + (is_last ? 0.9 : 0.66) * way + flesh, 0.9 * near_radius,
+         (is_last ? 0.97 : 0.93) * far_radius},
+        kDigitFlatness);
   }
 }
 
 void HandSolid::add_thumb(const Skeleton& skeleton, const Transforms& transforms) {
   add_finger(skeleton, transforms, 0);
-  constexpr double scale = kMillimetre;
   const Rigid3d& metacarpal = transforms[1];
   const Eigen::Vector3d& near = skeleton.keypoints[1];
   const Eigen::Vector3d way = skeleton.keypoints[2] - near;
   const Eigen::Vector3d flexion = skeleton.axes[2];
   const Eigen::Vector3d palmar = flexion.cross(way.normalized());
   // The thumb's eminence.
-  digits_[0].emplace_back(RoundedCone::Ends{metacarpal * (near + 0.15 * way + 5.0 * scale * palmar),
-                                            metacarpal * (near + 0.6 * way + 4.0 * scale * palmar),
-                                            13.5 * scale, 13.0 * scale},
-                          metacarpal.rotation * palmar, 1.0);
+  digits_[0].emplace_back(
+      RoundedCone::Ends{metacarpal * (near + 0.15 * way + 6.5 * kMillimetre * palmar),
+                        metacarpal * (near + 0.62 * way + 5.0 * kMillimetre * palmar),
+                        16.5 * kMillimetre, 14.0 * kMillimetre},
+      metacarpal.rotation * palmar, 1.0);
   // The web from the thumb to the index finger's metacarpal, a fan of folds.
-  const Eigen::Vector3d index_base(-14.0 * scale, 40.0 * scale, -3.0 * scale);
+  const Eigen::Vector3d index_base = kMillimetre * Eigen::Vector3d(-14.0, 40.0, -3.0);
   const Eigen::Vector3d index_way = 0.68 * (skeleton.keypoints[5] - index_base);
   for (const double part : {0.25, 0.5, 0.75, 1.0}) {
+    const double radius = (10.5 - 3.0 * part) * kMillimetre;
     palm_.emplace_back(RoundedCone::Ends{metacarpal * (near + (0.3 + 0.45 * part) * way),
-                                         index_base + part * index_way, (10.5 - 3.0 * part) * scale,
-                                         (10.5 - 3.0 * part) * scale},
+                                         index_base + part * index_way, radius, radius},
                        metacarpal.rotation * flexion, 1.0);
   }
 }

@@ -19,6 +19,8 @@ constexpr int kDigitDrivers = kBoneCount - 1;
 constexpr int kPalmDrivers = kDigitDrivers + kDigitCount;
 constexpr int kForearmDriver = kPalmDrivers + 3;
 
+constexpr int kSmoothingRounds = 2;  // of links
+
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 TriangleMesh meshed(const HandSolid& solid, const BuiltInHandOptions& options) {
@@ -51,6 +53,7 @@ HandModel mean_hand(const BuiltInHandOptions& options) {
   for (const Eigen::Vector3d& vertex : model.rest_surface.vertices) {
     model.links.push_back(link_to_bones(segments, vertex));
   }
+  smooth_palm_links(model.rest_surface, kSmoothingRounds, model.links);
   return model;
 }
 

@@ -18,7 +18,15 @@ double squared_distance(const std::array<Eigen::Vector3d, 2>& segment,
 
 // How many times the distance to the first bone a step goes on mixing. The thumb's metacarpal lies
 // at an acute angle to the palm with a web between, which must stretch over its whole width.
-double blend_width(int a, int b) { return std::min(a, b) == 0 && std::max(a, b) == 1 ? 2.0 : 1.0; }
+double blend_width(int a, int b) {
+  if (std::min(a, b) > 0) return 1.0;
+  return 1.5;
+}
+
+// How far the palm reaches out between the fingers, as a part of their first bones.
+constexpr double kWebPart = 0.12;
+// How far the thumb's metacarpal reaches towards the index finger's first joint, in the web.
+constexpr double kThumbWebPart = 0.3;
 
 bool are_joined(int a, int b) { return parent_bone(a) == b || parent_bone(b) == a; }
 
@@ -37,6 +45,16 @@ BoneSegments bone_segments(const Skeleton& skeleton, const JointAngles& angles,
           {keypoints[1 + 4 * digit + i], keypoints[2 + 4 * digit + i]});
     }
   }
+  // The webs between the fingers.
+  for (std::size_t digit = 1; digit + 1 < kDigitCount; ++digit) {
+    const std::size_t a = 1 + 4 * digit, b = a + 4;
+    const Eigen::Vector3d root = 0.5 * (keypoints[a] + keypoints[b]);
+    const Eigen::Vector3d outer = 0.5 * (keypoints[a + 1] + keypoints[b + 1]);
+    segments[0].push_back({keypoints[0], root});
+    segments[0].push_back({root, root + kWebPart * (outer - root)});
+  }
+  segments[1].push_back(
+      {keypoints[2], keypoints[2] + kThumbWebPart * (keypoints[5] - keypoints[2])});
   for (const double side : {-0.6, 0.6}) {
     const Eigen::Vector3d wrist(side * wrist_half_breadth, 0.0, 0.0);
     segments[0].push_back({wrist, wrist - Eigen::Vector3d(0.0, forearm_length, 0.0)});
@@ -73,6 +91,37 @@ SkinLinks link_to_bones(const BoneSegments& segments, const Eigen::Vector3d& poi
   links.bones = {first, second, 0, 0};
   links.weights = {1.0 - weight, weight, 0.0, 0.0};
   return links;
+}
+
+void smooth_palm_links(const TriangleMesh& surface, int rounds, std::vector<SkinLinks>& links) {
+  const auto share = [](const SkinLinks& of, int bone) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < of.bones.size(); ++i) {
+      if (of.bones[i] == bone) sum += of.weights[i];
+    }
+    return sum;
+  };
+  for (int round = 0; round < rounds; ++round) {
+    // Every neighbour counts twice, once for each triangle that it shares; so does the vertex.
+    std::vector<std::array<double, 2>> sums(links.size());
+    for (std::size_t v = 0; v < links.size(); ++v) {
+      sums[v] = {2.0 * links[v].weights[0], 2.0 * links[v].weights[1]};
+    }
+    for (const Triangle& triangle : surface.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = triangle[i];
+        for (const std::uint32_t other : {triangle[(i + 1) % 3], triangle[(i + 2) % 3]}) {
+          sums[v][0] += share(links[other], links[v].bones[0]);
+          sums[v][1] += share(links[other], links[v].bones[1]);
+        }
+      }
+    }
+    for (std::size_t v = 0; v < links.size(); ++v) {
+      if (links[v].bones[0] != 0 && links[v].bones[1] != 0) continue;
+      const double first = sums[v][0] / (sums[v][0] + sums[v][1]);
+      links[v].weights = {first, 1.0 - first, 0.0, 0.0};
+    }
+  }
 }
 
 }  // namespace tegata

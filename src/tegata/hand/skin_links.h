@@ -24,4 +24,9 @@ BoneSegments bone_segments(const Skeleton& skeleton, const JointAngles& angles,
 /// what lies along a bone is rigid.
 SkinLinks link_to_bones(const BoneSegments& segments, const Eigen::Vector3d& point);
 
+/// Evens out how the palm and the digits share a surface: in each round a vertex that is linked to
+/// the palm shares itself as it and its neighbours do on average. Bones stay, so that still no
+/// finger pulls at another, but between two fingers the palm, which both are joined to, wins.
+void smooth_palm_links(const TriangleMesh& surface, int rounds, std::vector<SkinLinks>& links);
+
 }  // namespace tegata

@@ -69,6 +69,39 @@ TEST(LinkToBones, WeightFallsSteadilyAcrossAJoint) {
   EXPECT_LT(before, 1e-3);
 }
 
+TEST(LinkToBones, WebGoesHalfWayWithTheFingers) {
+  const Skeleton skeleton = test_skeleton();
+  // Between index and middle finger, a third of their first bones out from the knuckles.
+  const Eigen::Vector3d web = (skeleton.keypoints[5] + skeleton.keypoints[9]) / 3.0 +
+                              (skeleton.keypoints[6] + skeleton.keypoints[10]) / 6.0;
+  const SkinLinks links = link_to_bones(test_segments(), web);
+  double palm = 0.0;
+  for (std::size_t i = 0; i < 2; ++i) palm += links.bones[i] == 0 ? links.weights[i] : 0.0;
+  EXPECT_GT(palm, 0.1);
+  EXPECT_LT(palm, 0.9);
+}
+
+TEST(SmoothPalmLinks, EvensOutTheWebAndLeavesFingersAlone) {
+  HandModel model = test_hand();
+  // One octahedron's vertices: palm and index finger by halves, but for one that is all finger.
+  for (std::size_t i = 0; i < 6; ++i) {
+    model.links[i].bones = {0, 4, 0, 0};
+    model.links[i].weights = {0.5, 0.5, 0.0, 0.0};
+    model.links[6 + i].bones = {5, 6, 0, 0};
+    model.links[6 + i].weights = {i == 0 ? 1.0 : 0.5, i == 0 ? 0.0 : 0.5, 0.0, 0.0};
+  }
+  model.links[0].weights = {0.0, 1.0, 0.0, 0.0};
+  std::vector<SkinLinks> links = model.links;
+  smooth_palm_links(model.rest_surface, 2, links);
+  EXPECT_GT(links[0].weights[0], 0.2);
+  EXPECT_LT(links[0].weights[0], 0.5);
+  EXPECT_EQ(links[6].weights[0], 1.0);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    EXPECT_EQ(links[i].bones, model.links[i].bones);
+    EXPECT_NEAR(links[i].weights[0] + links[i].weights[1], 1.0, 1e-12);
+  }
+}
+
 TEST(LinkToBones, ForearmStaysWithThePalm) {
   for (double x = -0.03; x <= 0.03; x += 0.005) {
     for (const double z : {-0.02, 0.02}) {
