@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <exception>
+#include <filesystem>
 #include <sstream>
 
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/hand/built_in_hand.h"
+#include "tegata/take/scanned_hand.h"
 
 namespace tegata {
 namespace {
@@ -77,8 +80,34 @@ Side side_from_name(const std::string& name) {
   throw Error("hand: got '", name, "', expected right or left");
 }
 
-HandModel load_hand(const std::string& file, Side side) {
-  return file.empty() ? built_in_hand(HandShape{}, side) : read_hand_gltf(file, side);
+HandModel load_hand(const std::string& file, std::optional<Side> side) {
+  if (file.empty()) return built_in_hand(HandShape{}, side.value_or(Side::right));
+  const std::string ending = std::filesystem::path(file).extension().string();
+  if (ending == ".toml") {
+    const ScannedHand scan = read_scanned_hand(file);
+    if (side && scan.side != *side) {
+      throw Error(file, ": it holds a ", side_name(scan.side), " hand, expected a ",
+                  side_name(*side), " one; `tegata hand convert --mirror` makes one of it");
+    }
+    return rigged(scan);
+  }
+  if (ending != ".glb" && ending != ".gltf") {
+    throw Error(
+        file, ": got '", ending,
+        "', expected a hand that ends in .glb, .gltf or .toml; a mesh needs a TOML with its "
+        "joints (docs/formats.md)");
+  }
+  if (side) return read_hand_gltf(file, *side);
+  try {
+    return read_hand_gltf(file, Side::right);
+  } catch (const Error&) {
+    const std::exception_ptr as_right = std::current_exception();
+    try {
+      return read_hand_gltf(file, Side::left);
+    } catch (const Error&) {
+      std::rethrow_exception(as_right);
+    }
+  }
 }
 
 std::map<std::string, double> mean_overlaps(const Result& result) {

@@ -25,6 +25,7 @@ void add_evaluate_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_picture_command(CLI::App& program);
 void add_hull_command(CLI::App& program);
+void add_hand_command(CLI::App& program);
 
 /// What every subcommand understands.
 struct CommonOptions {
@@ -44,8 +45,9 @@ void add_hull_options(CLI::App& command, HullOptions& options);
 /// "right" or "left"; throws Error otherwise.
 Side side_from_name(const std::string& name);
 
-/// The built-in hand of the mean adult, or, unless `file` is empty, the skinned hand in it.
-HandModel load_hand(const std::string& file, Side side);
+/// The built-in hand of the mean adult, or, unless `file` is empty, the hand in it: skinned (GLB,
+/// glTF) or scanned (TOML). Without a side it is the file's own; the built-in hand is a right one.
+HandModel load_hand(const std::string& file, std::optional<Side> side);
 
 /// The mean silhouette overlap of each camera over the frames that are ok.
 std::map<std::string, double> mean_overlaps(const Result& result);

@@ -131,7 +131,7 @@ void add_fit_command(CLI::App& program) {
       ->required();
   command->add_option("-o,--output", arguments->result, "Folder to make")->required();
   command->add_option("--hand", arguments->hand_file,
-                      "A skinned hand with WebXR joint names, GLB or glTF; else the built-in one");
+                      "A skinned hand (GLB, glTF) or a scanned one (TOML); else the built-in one");
   command->add_option("--side", arguments->side, "Which hand, where the take does not say")
       ->check(CLI::IsMember({"right", "left"}));
   add_segmentation_option(*command, options.segmentation);

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   tegata::add_info_command(program);
   tegata::add_picture_command(program);
   tegata::add_hull_command(program);
+  tegata::add_hand_command(program);
   try {
     program.parse(argc, argv);
     std::cout.flush();

@@ -15,7 +15,7 @@ namespace tegata {
 namespace {
 
 struct Arguments {
-  std::string take, grasp = "cylinder", mode = "infrared", hand = "right";
+  std::string take, grasp = "cylinder", mode = "infrared", hand = "right", side;
   bool no_forearm = false, no_initial_pose = false, force = false;
   SimulationOptions room;
   CommonOptions common;
@@ -32,18 +32,26 @@ void set_size(SimulationOptions& room, const std::string& size) {
   room.height = height;
 }
 
+HandModel hand_of(const Arguments& arguments) {
+  std::optional<Side> side;
+  if (!arguments.side.empty()) side = side_from_name(arguments.side);
+  const bool is_file =
+      arguments.hand != side_name(Side::right) && arguments.hand != side_name(Side::left);
+  return is_file ? load_hand(arguments.hand, side) : load_hand("", side_from_name(arguments.hand));
+}
+
 void run(Arguments& arguments) {
   SimulationOptions& room = arguments.room;
   room.grasp = simulated_grasp_from_name(arguments.grasp);
   room.mode = simulated_mode_from_name(arguments.mode);
-  room.side = side_from_name(arguments.hand);
+  const HandModel hand = hand_of(arguments);
+  room.side = hand.skeleton.side;
   room.forearm = !arguments.no_forearm;
   room.initial_pose = !arguments.no_initial_pose;
   room.threads = arguments.common.threads;
   {
     Progress progress(arguments.common.quiet);
-    simulate_take(load_hand("", room.side), room, arguments.take, arguments.force,
-                  progress.observer());
+    simulate_take(hand, room, arguments.take, arguments.force, progress.observer());
   }
   if (arguments.common.json) {
     std::cout << nlohmann::ordered_json{{"take", arguments.take},
@@ -51,7 +59,7 @@ void run(Arguments& arguments) {
                                         {"frames", room.frame_count},
                                         {"grasp", arguments.grasp},
                                         {"mode", arguments.mode},
-                                        {"hand", arguments.hand},
+                                        {"hand", side_name(room.side)},
                                         {"seed", room.seed}}
                      .dump()
               << "\n";
@@ -59,7 +67,7 @@ void run(Arguments& arguments) {
     std::cout << fmt::format(
         "made {}: {} frames of {} cameras, {} hand, {} grasp; the truth is in truth.json and "
         "truth\n",
-        arguments.take, room.frame_count, room.camera_count, arguments.hand, arguments.grasp);
+        arguments.take, room.frame_count, room.camera_count, side_name(room.side), arguments.grasp);
   }
 }
 
@@ -80,9 +88,12 @@ void add_simulate_command(CLI::App& program) {
                    "the object's pixels unknown")
       ->check(CLI::IsMember({"infrared", "mask", "clean"}))
       ->capture_default_str();
-  command->add_option("--hand", arguments->hand, "Which hand")
-      ->check(CLI::IsMember({"right", "left"}))
+  command
+      ->add_option("--hand", arguments->hand,
+                   "right, left, or a hand's file: skinned (GLB, glTF) or scanned (TOML)")
       ->capture_default_str();
+  command->add_option("--side", arguments->side, "Which hand of a file; else the file's own")
+      ->check(CLI::IsMember({"right", "left"}));
   command->add_option("--cameras", room.camera_count, "Cameras; 3 look along orthogonal axes")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -39,6 +40,14 @@ void put(std::string& bytes, const Eigen::Vector3d& vector) {
   for (const double value : vector) put(bytes, static_cast<float>(value));
 }
 
+void write_bytes(const std::string& bytes, const std::filesystem::path& file) {
+  std::ofstream stream(file, std::ios::binary);
+  if (!stream) throw Error(file.string(), ": cannot be opened for writing");
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  stream.close();
+  if (!stream) throw Error(file.string(), ": could not be written whole: is the disk full?");
+}
+
 }  // namespace
 
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& file) {
@@ -59,11 +68,30 @@ void write_ply(const TriangleMesh& mesh, const std::filesystem::path& file) {
     put(bytes, std::uint8_t{3});
     for (const std::uint32_t v : t) put(bytes, static_cast<std::int32_t>(v));
   }
-  std::ofstream stream(file, std::ios::binary);
-  if (!stream) throw Error(file.string(), ": cannot be opened for writing");
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (!stream) throw Error(file.string(), ": could not be written whole: is the disk full?");
+  write_bytes(bytes, file);
+}
+
+void write_obj(const TriangleMesh& mesh, const std::filesystem::path& file) {
+  check_mesh(mesh);
+  const bool has_normals = !mesh.normals.empty();
+  std::ostringstream lines;
+  lines.precision(9);
+  lines << "# tegata mesh, metres\n";
+  for (const Eigen::Vector3d& v : mesh.vertices) {
+    lines << "v " << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
+  }
+  for (const Eigen::Vector3d& n : mesh.normals) {
+    lines << "vn " << n.x() << ' ' << n.y() << ' ' << n.z() << '\n';
+  }
+  for (const Triangle& t : mesh.triangles) {
+    lines << 'f';
+    for (const std::uint32_t v : t) {
+      lines << ' ' << v + 1;
+      if (has_normals) lines << "//" << v + 1;
+    }
+    lines << '\n';
+  }
+  write_bytes(lines.str(), file);
 }
 
 TriangleMesh read_ply(const std::filesystem::path& file) {

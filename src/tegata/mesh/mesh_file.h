@@ -12,6 +12,10 @@ namespace tegata {
 /// them. Throws Error naming the file where it cannot be written whole.
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& file);
 
+/// Writes a Wavefront OBJ: v lines [m], vn lines where the mesh has normals, and f lines. Throws
+/// Error naming the file where it cannot be written whole.
+void write_obj(const TriangleMesh& mesh, const std::filesystem::path& file);
+
 /// Reads a PLY (ascii or binary little-endian) with x y z, faces of any size (fanned into
 /// triangles), and nx ny nz and `unproven` if present; other properties and elements are skipped.
 /// Throws Error naming the file and what is wrong in it.

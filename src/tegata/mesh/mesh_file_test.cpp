@@ -57,6 +57,20 @@ std::string ascii_triangle(const std::string& faces) {
          faces;
 }
 
+TEST_F(MeshFile, AnObjComesBackAsItWasWritten) {
+  TriangleMesh mesh = shapes::torus(0.125, 0.03125, 20, 10);
+  for (const bool has_normals : {false, true}) {
+    if (has_normals) mesh.normals = vertex_normals(mesh);
+    write_obj(mesh, path(".obj"));
+    const TriangleMesh back = read_obj(path(".obj"));
+    ASSERT_EQ(back.vertices.size(), mesh.vertices.size());
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      EXPECT_LT((back.vertices[v] - mesh.vertices[v]).norm(), 1e-9);
+    }
+    EXPECT_EQ(back.triangles, mesh.triangles);
+  }
+}
+
 TEST_F(MeshFile, APlyComesBackAsItWasWritten) {
   TriangleMesh mesh = shapes::torus(0.125, 0.03125, 20, 10);
   mesh.normals = vertex_normals(mesh);

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "hand_command.h"
+#include "tegata/gltf/hand_gltf.h"
+#include "tegata/image/overlay.h"
+#include "tegata/mesh/mesh_file.h"
+#include "tegata/take/picture_file.h"
+
+namespace tegata {
+namespace {
+
+constexpr Colour kPaper = {250, 250, 248};
+constexpr Colour kSkin = {214, 160, 126};
+constexpr int kSamples = 3;  // a pixel's side, so that outlines are smooth
+
+struct PoseArguments {
+  HandSource source;
+  AngleSource angles;
+  std::string output;
+  CommonOptions common;
+};
+
+struct PictureArguments {
+  HandSource source;
+  AngleSource angles;
+  std::string output;
+  std::vector<std::string> views = {"back", "palm", "thumb", "tips"};
+  int width = 320;
+  CommonOptions common;
+};
+
+void write_posed(const HandModel& hand, const HandPose& pose, const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending == ".ply") {
+    write_ply(PosedHand(hand, pose).surface(), file);
+  } else if (ending == ".obj") {
+    write_obj(PosedHand(hand, pose).surface(), file);
+  } else if (ending == ".glb" || ending == ".gltf") {
+    write_hand_gltf(hand, {{0.0, pose}}, file);
+  } else {
+    throw Error(file.string(), ": got '", ending, "', expected .ply, .obj, .glb or .gltf");
+  }
+}
+
+void run_pose(const PoseArguments& arguments) {
+  const HandModel hand = load_hand(arguments.source);
+  const HandPose pose = pose_of(arguments.angles, hand);
+  if (!arguments.common.quiet) warn_of_limits(pose.angles);
+  write_whole(arguments.output,
+              [&](const std::filesystem::path& file) { write_posed(hand, pose, file); });
+  if (arguments.common.json) {
+    nlohmann::ordered_json json{{"file", arguments.output}, {"name", hand.name}};
+    for (int angle = 0; angle < kAngleCount; ++angle) {
+      json["angles"][std::string(angle_names()[static_cast<std::size_t>(angle)])] =
+          pose.angles[angle];
+    }
+    std::cout << json.dump() << "\n";
+  } else {
+    std::cout << "wrote " << arguments.output << "\n";
+  }
+}
+
+/// From where a picture is taken and what is up in it, in the hand's frame.
+struct View {
+  Eigen::Vector3d from, up;
+};
+
+View view_of(const std::string& name, Side side) {
+  const Eigen::Vector3d thumb =
+      side == Side::right ? -Eigen::Vector3d::UnitX().eval() : Eigen::Vector3d::UnitX().eval();
+  if (name == "back") return {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()};
+  if (name == "palm") return {-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()};
+  if (name == "thumb") return {thumb, Eigen::Vector3d::UnitY()};
+  if (name == "little") return {-thumb, Eigen::Vector3d::UnitY()};
+  return {Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};  // tips
+}
+
+/// A camera so far away that it shows sizes nearly as they are. It sees a ball about the middle.
+Camera camera_of(const View& view, const Eigen::Vector3d& middle, double radius, int width) {
+  constexpr double kDistanceInRadii = 8.0;
+  Camera camera;
+  camera.name = "view";
+  camera.width = camera.height = width;
+  camera.fx = camera.fy = 0.47 * width * kDistanceInRadii;
+  camera.cx = camera.cy = 0.5 * (width - 1);
+  const Eigen::Vector3d z = -view.from, y = -view.up;
+  Eigen::Matrix3d rotation;
+  rotation << y.cross(z).transpose(), y.transpose(), z.transpose();
+  camera.camera_from_world.rotation = Eigen::Quaterniond(rotation);
+  camera.camera_from_world.translation =
+      -(rotation * (middle + kDistanceInRadii * radius * view.from));
+  return camera;
+}
+
+CameraImage draw(const HandModel& hand, const JointAngles& angles,
+                 const PictureArguments& arguments) {
+  const TriangleMesh surface = PosedHand(hand, {Rigid3d(), angles}).surface();
+  const Eigen::Vector3d middle = bounding_box(surface).center();
+  double radius = 0.0;
+  for (const Eigen::Vector3d& vertex : surface.vertices) {
+    radius = std::max(radius, (vertex - middle).norm());
+  }
+  const int side = kSamples * arguments.width;
+  std::vector<CameraImage> pictures;
+  for (const std::string& name : arguments.views) {
+    CameraImage picture{Image<std::uint16_t>(side, side, kPaper[0], 3), 8};
+    for (std::size_t i = 0; i < picture.values.values().size(); ++i) {
+      picture.values.values()[i] = kPaper[i % 3];
+    }
+    draw_shaded(picture, surface,
+                camera_of(view_of(name, hand.skeleton.side), middle, radius, side), kSkin);
+    pictures.push_back(shrunk(picture, arguments.width));
+  }
+  return contact_sheet(pictures, static_cast<int>(pictures.size()), kPaper);
+}
+
+void run_picture(const PictureArguments& arguments) {
+  const HandModel hand = load_hand(arguments.source);
+  const HandPose pose = pose_of(arguments.angles, hand);
+  if (!arguments.common.quiet) warn_of_limits(pose.angles);
+  const CameraImage picture = draw(hand, pose.angles, arguments);
+  write_whole(arguments.output,
+              [&](const std::filesystem::path& file) { write_picture(picture, file); });
+  if (arguments.common.json) {
+    std::cout
+        << nlohmann::ordered_json{{"picture", arguments.output}, {"views", arguments.views}}.dump()
+        << "\n";
+  } else {
+    std::cout << "drew " << arguments.output << "\n";
+  }
+}
+
+}  // namespace
+
+void add_hand_pose_command(CLI::App& hand) {
+  const auto arguments = std::make_shared<PoseArguments>();
+  CLI::App* command = hand.add_subcommand(
+      "pose", "Bend a hand: its surface as PLY or OBJ, or GLB with the pose as an animation");
+  add_hand_source(*command, arguments->source);
+  add_angle_source(*command, arguments->angles);
+  command->add_option("-o,--output", arguments->output, "PLY, OBJ, GLB or glTF to write")
+      ->required();
+  add_common_options(*command, arguments->common);
+  command->footer("Example: tegata hand pose --angle index_pip_flexion=60 -o hand.ply\n");
+  command->callback([arguments] { run_pose(*arguments); });
+}
+
+void add_hand_picture_command(CLI::App& hand) {
+  const auto arguments = std::make_shared<PictureArguments>();
+  CLI::App* command = hand.add_subcommand("picture", "Draw a hand from several sides");
+  add_hand_source(*command, arguments->source);
+  add_angle_source(*command, arguments->angles);
+  command->add_option("-o,--output", arguments->output, "PNG, JPEG or TIFF to write")->required();
+  command->add_option("--views", arguments->views, "Sides to draw, separated by commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"back", "palm", "thumb", "little", "tips"}))
+      ->capture_default_str();
+  command->add_option("--width", arguments->width, "Pixels of a view in width")
+      ->check(CLI::Range(16, 4096))
+      ->capture_default_str();
+  add_common_options(*command, arguments->common);
+  command->footer("Example: tegata hand picture --from relaxed -o hand.png\n");
+  command->callback([arguments] { run_picture(*arguments); });
+}
+
+}  // namespace tegata
