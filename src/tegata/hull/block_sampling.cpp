@@ -8,6 +8,10 @@
 #include <cstdint>
 #include <limits>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 namespace tegata {
 namespace {
 
@@ -16,6 +20,28 @@ constexpr float kNobody = std::numeric_limits<float>::infinity();
 
 using Lanes = std::array<float, kLanes>;
 using ViewSets = std::array<std::int32_t, kLanes>;
+using Indices = std::array<std::int32_t, kLanes>;
+using Pairs = std::array<std::uint32_t, kLanes>;
+
+// Compilers do not make look-ups by vector of a loop unless told for which machine.
+struct PlainGather {
+  static void look_up(const std::uint32_t* from, const Indices& at, Pairs& found) {
+    for (std::size_t i = 0; i < kLanes; ++i) found[i] = from[at[i]];
+  }
+};
+#if defined(__x86_64__)
+struct VectorGather {
+  TEGATA_AVX2 static void look_up(const std::uint32_t* from, const Indices& at, Pairs& found) {
+    for (std::size_t i = 0; i < kLanes; i += 8) {
+      const __m256i index = _mm256_load_si256(reinterpret_cast<const __m256i*>(&at[i]));
+      _mm256_store_si256(reinterpret_cast<__m256i*>(&found[i]),
+                         _mm256_i32gather_epi32(reinterpret_cast<const int*>(from), index, 4));
+    }
+  }
+};
+#else
+using VectorGather = PlainGather;
+#endif
 
 // Lattice points of the block, by lane; those past the last repeat the first.
 struct BlockPoints {
@@ -76,21 +102,39 @@ TEGATA_KERNEL float limited(float value, float last) {
   return positive < last ? positive : last;
 }
 
+// The halves of a packed pair.
+TEGATA_KERNEL float left_of(std::uint32_t pair) {
+  return static_cast<float>(static_cast<std::int32_t>(pair << 16) >> 16);
+}
+TEGATA_KERNEL float right_of(std::uint32_t pair) {
+  return static_cast<float>(static_cast<std::int32_t>(pair) >> 16);
+}
+
+template <typename Gather>
 TEGATA_KERNEL void ask_view(const SampledView& view, const Projections& projections, Words& words) {
-  const float* const distance = view.distance.values().data();
   const std::int32_t stride = view.distance.width(), last_row = view.distance.height() - 2;
   const float last_x = static_cast<float>(stride - 1), last_y = static_cast<float>(last_row + 1);
-  const float metres_per_pixel = view.metres_per_pixel;
+  const float metres_per_pixel = view.metres_per_pixel, step = view.distance_step;
+  alignas(64) Indices at;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const float in_x = limited(projections.x[i], last_x), in_y = limited(projections.y[i], last_y);
+    const std::int32_t column = std::min(static_cast<std::int32_t>(in_x), stride - 2);
+    const std::int32_t row = std::min(static_cast<std::int32_t>(in_y), last_row);
+    at[i] = row * stride + column;
+  }
+  alignas(64) Pairs above_pairs, below_pairs;
+  Gather::look_up(view.distance.values().data(), at, above_pairs);
+  Gather::look_up(view.distance.values().data() + stride, at, below_pairs);
   for (std::size_t i = 0; i < kLanes; ++i) {
     const float x = projections.x[i], y = projections.y[i];
     const float in_x = limited(x, last_x), in_y = limited(y, last_y);
     const std::int32_t column = std::min(static_cast<std::int32_t>(in_x), stride - 2);
     const std::int32_t row = std::min(static_cast<std::int32_t>(in_y), last_row);
     const float u = in_x - static_cast<float>(column), v = in_y - static_cast<float>(row);
-    const std::int32_t above = row * stride + column, below = above + stride;
-    const float upper = distance[above] + u * (distance[above + 1] - distance[above]);
-    const float lower = distance[below] + u * (distance[below + 1] - distance[below]);
-    const float within = upper + v * (lower - upper);
+    const std::uint32_t above = above_pairs[i], below = below_pairs[i];
+    const float upper = left_of(above) + u * (right_of(above) - left_of(above));
+    const float lower = left_of(below) + u * (right_of(below) - left_of(below));
+    const float within = step * (upper + v * (lower - upper));
     const float beyond = std::abs(x - in_x) + std::abs(y - in_y);
     const float pixels = within - (within > 0.0f ? 0.0f : beyond);
     const float seen = projections.seen[i];
@@ -118,26 +162,26 @@ TEGATA_KERNEL void ask_unknown(const SampledView& view, const Projections& proje
 // Whether the views that see each point suffice, as SamplingRule::suffices says: 1 or 0.
 TEGATA_KERNEL void judge_views(const SamplingRule& rule, const ViewSets& seeing,
                                const Lanes& seeing_count, Lanes& enough) {
-  alignas(64) Lanes see_across{};
+  alignas(64) ViewSets see_across{};
   for (std::size_t view = 0; view < rule.across.size(); ++view) {
     const auto self = static_cast<std::int32_t>(ViewSet{1} << view);
     const auto across = static_cast<std::int32_t>(rule.across[view]);
     for (std::size_t i = 0; i < kLanes; ++i) {
-      const std::int32_t set = seeing[i];
-      see_across[i] =
-          std::max(see_across[i], one_if((set & self) != 0) * one_if((set & across) != 0));
+      const std::int32_t all = (seeing[i] & self) != 0 ? -1 : 0;
+      see_across[i] |= seeing[i] & across & all;
     }
   }
   const float least = static_cast<float>(rule.least_views);
   const float least_across = static_cast<float>(rule.least_across);
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const float by_pair = see_across[i] * one_if(seeing_count[i] >= least_across);
+    const float by_pair = one_if(see_across[i] != 0) * one_if(seeing_count[i] >= least_across);
     enough[i] = std::max(by_pair, one_if(seeing_count[i] >= least));
   }
 }
 
+template <typename Gather>
 TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingRule& rule,
-                          const LatticeIndex& low, SilhouetteBlock& block) {
+                          ViewSet certain, const LatticeIndex& low, SilhouetteBlock& block) {
   BlockPoints points;
   for (std::size_t i = 0; i < kLanes; ++i) {
     points.x[i] = static_cast<float>(low[0]) + kOffsets.x[i];
@@ -146,15 +190,18 @@ TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingR
   }
   alignas(64) std::array<Lanes, kMostDissentingViews + 1> smallest;  // in rising order
   const std::size_t kept = rule.dissenting_views + 1;
-  for (std::size_t k = 0; k < kept; ++k) smallest[k].fill(kNobody);
-  alignas(64) Lanes seeing_count{}, against{}, enough;
-  alignas(64) ViewSets seeing{};
+  for (std::size_t k = 0; k < kept; ++k) smallest[k].fill(rule.largest_value);
+  alignas(64) Lanes seeing_count, against{}, enough;
+  alignas(64) ViewSets seeing;
+  seeing.fill(static_cast<std::int32_t>(certain));
+  seeing_count.fill(static_cast<float>(std::popcount(certain)));
   Projections projections;
   Words words;
   for (std::size_t v = 0; v < views.size(); ++v) {
+    if ((certain >> v & 1u) != 0) continue;
     const SampledView& view = views[v];
     project(view, points, projections);
-    ask_view(view, projections, words);
+    ask_view<Gather>(view, projections, words);
     if (!view.unknown.empty()) ask_unknown(view, projections, words);
     const auto self = static_cast<std::int32_t>(ViewSet{1} << v);
     for (std::size_t i = 0; i < kLanes; ++i) seeing_count[i] += projections.seen[i];
@@ -181,23 +228,43 @@ TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingR
   }
 }
 
-using Sample = void(const std::vector<SampledView>&, const SamplingRule&, const LatticeIndex&,
-                    SilhouetteBlock&);
+using Sample = void(const std::vector<SampledView>&, const SamplingRule&, ViewSet,
+                    const LatticeIndex&, SilhouetteBlock&);
 
 void sample_baseline(const std::vector<SampledView>& views, const SamplingRule& rule,
-                     const LatticeIndex& low, SilhouetteBlock& block) {
-  sample(views, rule, low, block);
+                     ViewSet certain, const LatticeIndex& low, SilhouetteBlock& block) {
+  sample<PlainGather>(views, rule, certain, low, block);
 }
 TEGATA_AVX2 void sample_avx2(const std::vector<SampledView>& views, const SamplingRule& rule,
-                             const LatticeIndex& low, SilhouetteBlock& block) {
-  sample(views, rule, low, block);
+                             ViewSet certain, const LatticeIndex& low, SilhouetteBlock& block) {
+  sample<VectorGather>(views, rule, certain, low, block);
 }
 TEGATA_AVX512 void sample_avx512(const std::vector<SampledView>& views, const SamplingRule& rule,
-                                 const LatticeIndex& low, SilhouetteBlock& block) {
-  sample(views, rule, low, block);
+                                 ViewSet certain, const LatticeIndex& low, SilhouetteBlock& block) {
+  sample<VectorGather>(views, rule, certain, low, block);
 }
 
 }  // namespace
+
+float packing_step(float largest) { return largest / std::numeric_limits<std::int16_t>::max(); }
+
+Image<std::uint32_t> packed_pairs(const Image<float>& values, float largest) {
+  const float steps = 1.0f / packing_step(largest);
+  const auto packed = [steps](float value) {
+    // Away from zero, so that no value changes its side.
+    const float rounded = value * steps + (value < 0.0f ? -0.5f : 0.5f);
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(rounded));
+  };
+  Image<std::uint32_t> pairs(values.width(), values.height());
+  const int last = values.width() - 1;
+  for (int y = 0; y < values.height(); ++y) {
+    const float* row = &values(0, y);
+    std::uint32_t* pair = &pairs(0, y);
+    for (int x = 0; x < last; ++x) pair[x] = (packed(row[x]) & 0xFFFFu) | packed(row[x + 1]) << 16;
+    pair[last] = (packed(row[last]) & 0xFFFFu) | packed(row[last]) << 16;
+  }
+  return pairs;
+}
 
 bool SamplingRule::suffices(ViewSet views) const {
   const auto count = static_cast<std::size_t>(std::popcount(views));
@@ -209,10 +276,10 @@ bool SamplingRule::suffices(ViewSet views) const {
   return false;
 }
 
-void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule,
+void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule, ViewSet certain,
                   const LatticeIndex& low, InstructionSet set, SilhouetteBlock& block) {
   constexpr std::array<Sample*, 3> kSamples = {sample_baseline, sample_avx2, sample_avx512};
-  kSamples[static_cast<std::size_t>(set)](views, rule, low, block);
+  kSamples[static_cast<std::size_t>(set)](views, rule, certain, low, block);
 }
 
 }  // namespace tegata

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "tegata/base/instruction_set.h"
@@ -22,10 +23,12 @@ struct SampledView {
   float width = 0.0f, height = 0.0f;  ///< of the picture [px]
   float metres_per_pixel = 0.0f;      ///< at a depth of 1 m
   float least_depth = 0.0f;           ///< nothing nearer is seen [m]
-  /// Signed distance to the silhouette's edge [px], and 1 where a pixel is unknown (empty where
-  /// none is), in the part of the picture that begins at pixel (left, top); at least 2 x 2. Beyond
-  /// it the distance goes on as a straight line and nothing is unknown.
-  Image<float> distance, unknown;
+  /// Signed distance to the silhouette's edge as packed_pairs() gives it, and 1 where a pixel is
+  /// unknown (empty where none is), in the part of the picture that begins at pixel (left, top); at
+  /// least 2 x 2. Beyond it the distance goes on as a straight line and nothing is unknown.
+  Image<std::uint32_t> distance;
+  float distance_step = 0.0f;  ///< [px] of one step of `distance`
+  Image<float> unknown;
   float left = 0.0f, top = 0.0f;
 };
 
@@ -42,6 +45,9 @@ struct SamplingRule {
   std::vector<ViewSet> across;       ///< by view, those across it; empty: none
   std::size_t dissenting_views = 0;  ///< at most kMostDissentingViews
   float outside_value = -1.0f;       ///< where views do not suffice [m]
+  /// Fields are no larger than this [m]. So near the surface none is, and a view that is sure to
+  /// say more need not be asked.
+  float largest_value = std::numeric_limits<float>::infinity();
 
   /// Whether a point that these views see is seen well enough.
   bool suffices(ViewSet views) const;
@@ -49,11 +55,18 @@ struct SamplingRule {
 
 using SilhouetteBlock = BlockValues<4>;
 
+/// Each pixel's value and its right neighbour's in 16 bits each (low and high), in steps of
+/// packing_step(largest), so that one look-up fetches both. Values are within -largest .. largest.
+Image<std::uint32_t> packed_pairs(const Image<float>& values, float largest);
+float packing_step(float largest);
+
 /// The field at the points of a block: the (dissenting_views + 1)th smallest of how far inside
 /// their silhouettes' edges the views that see the point say that it is [m]. Unproven are points
 /// that only unknown pixels keep inside, and those that are outside because too few views see them.
 /// Every instruction set gives the same bits; it must be supported.
-void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule,
+/// `certain` are views that see all points of the block as hand, farther inside than
+/// largest_value.
+void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule, ViewSet certain,
                   const LatticeIndex& low, InstructionSet set, SilhouetteBlock& block);
 
 }  // namespace tegata

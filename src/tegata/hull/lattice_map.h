@@ -12,7 +12,7 @@
 
 namespace tegata {
 
-/// One T for each point of the lattice that was ever asked for, kept in dense bricks of 8^3 points
+/// One T for each point of the lattice that was ever asked for, kept in dense bricks of 4^3 points
 /// that are found by hashing: neighbours lie together, and most look-ups stay in the last brick.
 template <typename T>
 class LatticeMap {
@@ -30,7 +30,7 @@ class LatticeMap {
   }
 
  private:
-  static constexpr int kBits = 3;
+  static constexpr int kBits = 2;
   static constexpr std::uint32_t kNone = ~0u;
   struct Brick {
     LatticeIndex position;

@@ -27,7 +27,7 @@ class CalledSource {
     return source_.classify(Eigen::AlignedBox3d(center - reach, center + reach));
   }
 
-  void sample(const LatticeIndex& low, BlockValues<kBlockCells>& block) {
+  void sample(const LatticeIndex& low, const State&, BlockValues<kBlockCells>& block) {
     for (std::size_t i = 0; i < BlockValues<kBlockCells>::kPoints; ++i) {
       const auto offset = static_cast<std::int32_t>(i);
       const LatticeIndex index = {low[0] + offset % 3, low[1] + offset / 3 % 3,

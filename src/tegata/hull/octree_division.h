@@ -37,13 +37,14 @@ struct BlockValues {
 
 /// FieldSource for compilers: State is what a cube hands down to its eighths (copied to each), such
 /// as what needs not be asked again. Cubes of kBlockCells cells a side (2 or 4) are not classified
-/// further but sampled; a lattice point must have the same value in every block that it belongs to.
+/// further but sampled, with what is known of the block; a lattice point must have the same value
+/// in every block that it belongs to.
 template <typename Source>
 concept OctreeSource = requires(Source& source, typename Source::State& state,
                                 const Eigen::Vector3d& point, double half_side,
                                 const LatticeIndex& low, BlockValues<Source::kBlockCells>& block) {
   { source.classify(point, half_side, state) } -> std::same_as<Occupancy>;
-  source.sample(low, block);
+  source.sample(low, state, block);
 };
 
 /// Divides a cube depth first. The cells of sampled blocks are judged by their corners' signs.
@@ -65,6 +66,9 @@ class OctreeDivision {
   using Block = BlockValues<kCells>;
   static constexpr std::size_t kSide = Block::kSide;
   static_assert(kCells == 2 || kCells == 4);
+  // Of a row of cells; the baseline instruction set has no count of its own.
+  static constexpr std::array<std::uint8_t, 16> kBitCount = {0, 1, 1, 2, 1, 2, 2, 3,
+                                                             1, 2, 2, 3, 2, 3, 3, 4};
 
   void visit(const LatticeIndex& low, int level, typename Source::State state) {
     const std::int32_t side = root_.cells() >> level;
@@ -80,7 +84,7 @@ class OctreeDivision {
     } else if (occupancy == Occupancy::inside && !touches_root_face(low, side)) {
       ++counts.inside;
     } else if (side == kCells) {
-      sample_cells(low, level);
+      sample_cells(low, level, state);
     } else {
       const std::int32_t half = side / 2;
       for (int i = 0; i < 8; ++i) {
@@ -90,8 +94,8 @@ class OctreeDivision {
     }
   }
 
-  void sample_cells(const LatticeIndex& low, int level) {
-    source_.sample(low, block_);
+  void sample_cells(const LatticeIndex& low, int level, const typename Source::State& state) {
+    source_.sample(low, state, block_);
     if (touches_root_face(low, kCells)) close_root_faces(low);
     for (int below = level + 1, cells = 8; below <= root_.depth; ++below, cells *= 8) {
       field_.levels[static_cast<std::size_t>(below)].visited += static_cast<std::size_t>(cells);
@@ -115,8 +119,8 @@ class OctreeDivision {
             rows[row] & rows[row + 1] & rows[row + kSide] & rows[row + kSide + 1];
         const std::uint32_t some_inside = (any | any >> 1) & kEveryCell;
         const std::uint32_t whole = all & all >> 1 & kEveryCell;
-        counts.outside += static_cast<std::size_t>(kCells - std::popcount(some_inside));
-        counts.inside += static_cast<std::size_t>(std::popcount(whole));
+        counts.outside += kCells - kBitCount[some_inside];
+        counts.inside += kBitCount[whole];
         for (std::uint32_t crossed = some_inside & ~whole; crossed != 0; crossed &= crossed - 1) {
           add_leaf(low, {std::countr_zero(crossed), y, z});
         }

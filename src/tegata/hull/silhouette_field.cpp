@@ -190,11 +190,16 @@ SilhouetteField::View SilhouetteField::make_view(const HullView& source) {
 }
 
 void SilhouetteField::prepare_sampling(const OctreeRoot& root) {
+  root_ = root;
+  double largest_value = 0.0;
+  for (const View& view : views_) largest_value = std::max(largest_value, leaf_reach(view, root));
+  rule_.largest_value = static_cast<float>(largest_value);
+
   // What a few roundings of single precision make of a sum of terms.
   constexpr float kRounding = 4.0f * std::numeric_limits<float>::epsilon();
   sampled_views_.clear();
   for (View& view : views_) {
-    SampledView& sampled = sampled_views_.emplace_back(sampled_view(view, root));
+    SampledView& sampled = sampled_views_.emplace_back(sampled_view(view, root, largest_value));
     std::array<float, 3> terms = {};
     for (std::size_t i = 0; i < 3; ++i) {
       terms[i] = std::abs(sampled.origin[i]);
@@ -209,10 +214,31 @@ void SilhouetteField::prepare_sampling(const OctreeRoot& root) {
   }
 }
 
-SampledView SilhouetteField::sampled_view(const View& view, const OctreeRoot& root) {
+// How far inside a view's edge the corner of a leaf can lie that has another corner outside it [m]:
+// the leaf's diagonal, seen askew, times what bilinear interpolation of distances may rise by.
+double SilhouetteField::leaf_reach(const View& view, const OctreeRoot& root) {
+  const Camera& camera = view.source->camera;
+  const double tangent_x = std::max(camera.cx, view.width - camera.cx) / camera.fx;
+  const double tangent_y = std::max(camera.cy, view.height - camera.cy) / camera.fy;
+  const double slant = std::sqrt(1.0 + tangent_x * tangent_x + tangent_y * tangent_y);
+  const double diagonal = std::sqrt(3.0) * root.cell_size, nearest = nearest_depth(view, root);
+  const double deepening = nearest > 0.0 ? std::min(2.0, 1.0 + diagonal / nearest) : 2.0;
+  return std::sqrt(2.0) * diagonal * slant * deepening;
+}
+
+// The depth of the nearest point of the root cube [m].
+double SilhouetteField::nearest_depth(const View& view, const OctreeRoot& root) {
+  double nearest = view.pixel_from_world.row(2).dot(root.origin) + view.pixel_offset.z();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    nearest += std::min(0.0, root.cells() * root.cell_size * view.pixel_from_world(2, axis));
+  }
+  return nearest;
+}
+
+SampledView SilhouetteField::sampled_view(View& view, const OctreeRoot& root,
+                                          double largest_value) {
   SampledView sampled;
   const Eigen::Vector3d first = view.pixel_from_world * root.origin + view.pixel_offset;
-  double nearest = first.z();  // depth of the root cube
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     sampled.origin[i] = static_cast<float>(first[row]);
@@ -220,20 +246,15 @@ SampledView SilhouetteField::sampled_view(const View& view, const OctreeRoot& ro
       const double step =
           root.cell_size * view.pixel_from_world(row, static_cast<Eigen::Index>(axis));
       sampled.steps[axis][i] = static_cast<float>(step);
-      if (i == 2) nearest += std::min(0.0, root.cells() * step);
     }
   }
   sampled.width = static_cast<float>(view.width);
   sampled.height = static_cast<float>(view.height);
   sampled.metres_per_pixel = view.metres_per_pixel;
 
-  // The diagonal of a cell: so far from the edge can a corner of a leaf lie.
-  const Camera& camera = view.source->camera;
-  const double focal_length = std::max(camera.fx, camera.fy);
-  const double slant = 1.0 + std::max(view.width, view.height) / focal_length;
-  const double diagonal = std::sqrt(3.0) * root.cell_size * focal_length * slant / nearest;
-  const int band =
-      nearest > 0.0 && diagonal < kMostBand - 2 ? static_cast<int>(diagonal) + 2 : kMostBand;
+  const double nearest = nearest_depth(view, root);
+  const double band = largest_value / (nearest * static_cast<double>(view.metres_per_pixel));
+  view.band = nearest > 0.0 && band < kMostBand - 1 ? static_cast<int>(band) + 1 : kMostBand;
 
   const Silhouette& silhouette = view.source->silhouette;
   Eigen::AlignedBox2i box = view.foreground;
@@ -251,14 +272,37 @@ SampledView SilhouetteField::sampled_view(const View& view, const OctreeRoot& ro
       if (view.has_unknown && row[x] == PixelLabel::unknown) sampled.unknown(x, y) = 1.0f;
     }
   }
-  sampled.distance = banded_distance(mask, band);
+  const auto largest = static_cast<float>(view.band);
+  sampled.distance = packed_pairs(banded_distance(mask, view.band), largest);
+  sampled.distance_step = packing_step(largest);
   sampled.left = static_cast<float>(low.x());
   sampled.top = static_cast<float>(low.y());
   return sampled;
 }
 
-void SilhouetteField::sample(const LatticeIndex& low, SilhouetteBlock& block) const {
-  sample_block(sampled_views_, rule_, low, instruction_set_, block);
+void SilhouetteField::sample(const LatticeIndex& low, const State& state,
+                             SilhouetteBlock& block) const {
+  sample_block(sampled_views_, rule_, certain_views(low, state.inside), low, instruction_set_,
+               block);
+}
+
+ViewSet SilhouetteField::certain_views(const LatticeIndex& low, ViewSet inside) const {
+  const double half_side = 0.5 * kBlockCells * root_.cell_size;
+  const Eigen::Vector3d center = root_.origin +
+                                 root_.cell_size * Eigen::Vector3d(low[0], low[1], low[2]) +
+                                 Eigen::Vector3d::Constant(half_side);
+  ViewSet certain = 0;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    const View& view = views_[i];
+    // Unknown pixels keep, but prove nothing: they must be asked. A band that was cut short says
+    // too little.
+    if ((inside >> i & 1u) == 0 || view.has_unknown || view.band == kMostBand) continue;
+    const Eigen::Vector3d h = view.pixel_from_world * center + view.pixel_offset;
+    if (is_all_foreground(view, footprint(view, h, half_side), view.band + 1, nullptr)) {
+      certain |= ViewSet{1} << i;
+    }
+  }
+  return certain;
 }
 
 SilhouetteField SilhouetteField::without(std::size_t view) const {
@@ -297,43 +341,58 @@ bool SilhouetteField::misses_frustum(const View& view, const Eigen::Vector3d& h,
   return false;
 }
 
-SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen::Vector3d& center,
-                                                  double half_side) {
+SilhouetteField::Footprint SilhouetteField::footprint(const View& view, const Eigen::Vector3d& h,
+                                                      double half_side) {
   const Eigen::Matrix3d& m = view.pixel_from_world;
-  const Eigen::Vector3d h = m * center + view.pixel_offset;
-  const double depth_reach = half_side * m.row(2).cwiseAbs().sum();
-  if (h.z() + depth_reach <= 0.0) return {Verdict::blind, false};
-  const double nearest = h.z() - depth_reach;
-  if (!(nearest > 0.0)) {
-    return {misses_frustum(view, h, half_side) ? Verdict::blind : Verdict::undecided, false};
-  }
+  const double nearest = h.z() - half_side * m.row(2).cwiseAbs().sum();
   // For a point at center + d the pixel is off by (m0 - x m2) . d / (depth there), exactly.
   const double x = h.x() / h.z(), y = h.y() / h.z();
   const double scale = half_side / nearest, slack = kSlack + view.rounding / nearest;
   const double reach_x = scale * (m.row(0) - x * m.row(2)).cwiseAbs().sum() + slack;
   const double reach_y = scale * (m.row(1) - y * m.row(2)).cwiseAbs().sum() + slack;
-  const double left = x - reach_x, right = x + reach_x, top = y - reach_y, bottom = y + reach_y;
-  if (right < -0.5 || bottom < -0.5 || left > view.width - 0.5 || top > view.height - 0.5) {
-    return {Verdict::blind, false};
-  }
-  const bool sees_all =
-      left >= 0.0 && top >= 0.0 && right <= view.width - 1.0 && bottom <= view.height - 1.0;
-  // All pixels that bilinear interpolation reads anywhere in the box.
-  const auto low = [](double position) { return position > 0.0 ? static_cast<int>(position) : 0; };
-  const auto high = [](double position, double size) {
-    return position < size - 1.0 ? static_cast<int>(std::floor(position)) + 1
-                                 : static_cast<int>(size) - 1;
+  return {x - reach_x, x + reach_x, y - reach_y, y + reach_y};
+}
+
+bool SilhouetteField::is_all_foreground(const View& view, const Footprint& footprint, int around,
+                                        bool* any) {
+  const auto low = [&](double position) {
+    return std::max(0, (position > 0.0 ? static_cast<int>(position) : 0) - around);
+  };
+  const auto high = [&](double position, double size) {
+    const int last = static_cast<int>(size) - 1;
+    return position < size - 1.0
+               ? std::min(last, static_cast<int>(std::floor(position)) + 1 + around)
+               : last;
   };
   const Eigen::AlignedBox2i pixels(
-      Eigen::Vector2i(low(left), low(top)),
-      Eigen::Vector2i(high(right, view.width), high(bottom, view.height)));
+      Eigen::Vector2i(low(footprint.left), low(footprint.top)),
+      Eigen::Vector2i(high(footprint.right, view.width), high(footprint.bottom, view.height)));
   const std::uint32_t count = count_foreground(view, pixels);
-  if (count == 0) return {sees_all ? Verdict::outside : Verdict::outside_as_far_as_seen, sees_all};
+  if (any != nullptr) *any = count > 0;
   const Eigen::Vector2i size = pixels.sizes() + Eigen::Vector2i::Ones();
-  if (count != static_cast<std::uint32_t>(size.x()) * static_cast<std::uint32_t>(size.y())) {
-    return {Verdict::undecided, sees_all};
+  return count == static_cast<std::uint32_t>(size.x()) * static_cast<std::uint32_t>(size.y());
+}
+
+SilhouetteField::Judgement SilhouetteField::judge(const View& view, const Eigen::Vector3d& center,
+                                                  double half_side) {
+  const Eigen::Vector3d h = view.pixel_from_world * center + view.pixel_offset;
+  const double depth_reach = half_side * view.pixel_from_world.row(2).cwiseAbs().sum();
+  if (h.z() + depth_reach <= 0.0) return {Verdict::blind, false};
+  if (!(h.z() - depth_reach > 0.0)) {
+    return {misses_frustum(view, h, half_side) ? Verdict::blind : Verdict::undecided, false};
   }
-  return {sees_all ? Verdict::inside : Verdict::inside_as_far_as_seen, sees_all};
+  const Footprint seen = footprint(view, h, half_side);
+  if (seen.right < -0.5 || seen.bottom < -0.5 || seen.left > view.width - 0.5 ||
+      seen.top > view.height - 0.5) {
+    return {Verdict::blind, false};
+  }
+  const bool sees_all = seen.is_within(view);
+  bool any = false;
+  if (is_all_foreground(view, seen, 0, &any)) {
+    return {sees_all ? Verdict::inside : Verdict::inside_as_far_as_seen, sees_all};
+  }
+  if (any) return {Verdict::undecided, sees_all};
+  return {sees_all ? Verdict::outside : Verdict::outside_as_far_as_seen, sees_all};
 }
 
 Occupancy SilhouetteField::classify(const Eigen::Vector3d& center, double half_side,

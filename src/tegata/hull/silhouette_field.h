@@ -34,7 +34,7 @@ class SilhouetteField {
   void prepare_sampling(const OctreeRoot& root);
   /// How far inside the silhouettes the lattice points of a block are [m].
   static constexpr int kBlockCells = 4;
-  void sample(const LatticeIndex& low, SilhouetteBlock& block) const;
+  void sample(const LatticeIndex& low, const State& state, SilhouetteBlock& block) const;
 
   /// Whether two views that look across each other may suffice where their number does not.
   bool asks_pairs() const {
@@ -64,6 +64,7 @@ class SilhouetteField {
     std::vector<std::uint32_t> sums;  ///< of such pixels above and left, over the foreground's box
     bool has_unknown = false;
     double rounding = 0.0;  ///< of sample()'s pixels, times the depth [px m]
+    int band = 0;           ///< so far from the edge distances are measured [px]
   };
   enum class Verdict : std::uint8_t {
     blind,
@@ -80,13 +81,32 @@ class SilhouetteField {
   static View make_view(const HullView& source);
   void set_rule(const HullOptions& options);
   static bool misses_frustum(const View& view, const Eigen::Vector3d& h, double half_side);
+  /// Where a cube in front of a camera can be seen.
+  struct Footprint {
+    double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;  ///< [px]
+    /// Whether the picture shows all of it.
+    bool is_within(const View& view) const {
+      return left >= 0.0 && top >= 0.0 && right <= view.width - 1.0 && bottom <= view.height - 1.0;
+    }
+  };
+  static Footprint footprint(const View& view, const Eigen::Vector3d& h, double half_side);
+  /// Whether all pixels that bilinear interpolation reads in a footprint, and those around it, are
+  /// hand or unknown; `any` if one is.
+  static bool is_all_foreground(const View& view, const Footprint& footprint, int around,
+                                bool* any);
   static Judgement judge(const View& view, const Eigen::Vector3d& center, double half_side);
   static std::uint32_t count_foreground(const View& view, const Eigen::AlignedBox2i& pixels);
-  static SampledView sampled_view(const View& view, const OctreeRoot& root);
+  static double nearest_depth(const View& view, const OctreeRoot& root);
+  static double leaf_reach(const View& view, const OctreeRoot& root);
+  static SampledView sampled_view(View& view, const OctreeRoot& root, double largest_value);
+  /// The views of those before which all of a block is hand that are sure to say more than
+  /// largest_value there.
+  ViewSet certain_views(const LatticeIndex& low, ViewSet inside) const;
 
   std::vector<View> views_;
   SamplingRule rule_;
   std::vector<SampledView> sampled_views_;
+  OctreeRoot root_;
   InstructionSet instruction_set_ = best_instruction_set();
 };
 
