@@ -17,23 +17,16 @@
 namespace tegata {
 namespace {
 
-// Steps along the column to the nearest pixel of the other kind, at most `far`.
-Image<std::int16_t> column_distances(const Image<std::uint8_t>& inside, std::int16_t far) {
-  const int width = inside.width(), height = inside.height();
-  Image<std::int16_t> steps(width, height, far);
-  // From the row before, whose steps are known, to the next.
-  const auto sweep = [&](int from, int to) {
-    const std::uint8_t *kind_before = &inside(0, from), *kind = &inside(0, to);
-    const std::int16_t* before = &steps(0, from);
-    std::int16_t* here = &steps(0, to);
-    for (int x = 0; x < width; ++x) {
-      const int onwards = kind[x] != kind_before[x] ? 1 : before[x] + 1;
-      here[x] = static_cast<std::int16_t>(std::min<int>(here[x], onwards));
-    }
-  };
-  for (int y = 1; y < height; ++y) sweep(y - 1, y);
-  for (int y = height - 2; y >= 0; --y) sweep(y + 1, y);
-  return steps;
+// From a row whose steps along the columns to the nearest pixel of the other kind are known to the
+// next: the least of what is there and of one step more, or one step where the kinds differ. Kinds
+// are 0 or 1.
+TEGATA_KERNEL void sweep_row(const std::int16_t* kind_before, const std::int16_t* before,
+                             const std::int16_t* kind, std::int16_t* steps, std::size_t columns) {
+  for (std::size_t x = 0; x < columns; ++x) {
+    const auto same = static_cast<std::int16_t>(kind[x] == kind_before[x] ? -1 : 0);
+    const auto onwards = static_cast<std::int16_t>((before[x] & same) + 1);
+    steps[x] = onwards < steps[x] ? onwards : steps[x];
+  }
 }
 
 // Columns are taken so many at a time.
@@ -61,7 +54,7 @@ TEGATA_KERNEL void least_of_parabolas(const std::int16_t* heights, int band, std
 }
 
 // The distances of a row of `columns` pixels.
-TEGATA_KERNEL void measure_row(const RowHeights& heights, int band, const std::uint8_t* kind,
+TEGATA_KERNEL void measure_row(const RowHeights& heights, int band, const std::int16_t* kind,
                                std::size_t columns, float* distance) {
   const float limit = static_cast<float>(band);
   for (std::size_t first = 0; first < columns; first += kChunk) {
@@ -78,19 +71,46 @@ TEGATA_KERNEL void measure_row(const RowHeights& heights, int band, const std::u
   }
 }
 
-using MeasureRow = void(const RowHeights&, int, const std::uint8_t*, std::size_t, float*);
+TEGATA_KERNEL void measure(const Image<std::int16_t>& kinds, int band, Image<float>& distance) {
+  const int height = kinds.height();
+  const auto columns = static_cast<std::size_t>(kinds.width());
+  const auto margin = static_cast<std::size_t>(band);
+  const auto far = static_cast<std::int16_t>(band + 1);
+  Image<std::int16_t> steps(kinds.width(), height, far);
+  for (int y = 1; y < height; ++y) {
+    sweep_row(&kinds(0, y - 1), &steps(0, y - 1), &kinds(0, y), &steps(0, y), columns);
+  }
+  for (int y = height - 2; y >= 0; --y) {
+    sweep_row(&kinds(0, y + 1), &steps(0, y + 1), &kinds(0, y), &steps(0, y), columns);
+  }
+  // A pixel looks for the other kind: which has height 0, or the steps to it along the column.
+  RowHeights heights;
+  heights.to_outside.assign(columns + 2 * margin + kChunk, static_cast<std::int16_t>(far * far));
+  heights.to_inside = heights.to_outside;
+  for (int y = 0; y < height; ++y) {
+    const std::int16_t *kind = &kinds(0, y), *step = &steps(0, y);
+    std::int16_t* to_outside = heights.to_outside.data() + margin;
+    std::int16_t* to_inside = heights.to_inside.data() + margin;
+    for (std::size_t x = 0; x < columns; ++x) {
+      const auto squared = static_cast<std::int16_t>(step[x] * step[x]);
+      to_outside[x] = static_cast<std::int16_t>(squared & -kind[x]);
+      to_inside[x] = static_cast<std::int16_t>(squared & (kind[x] - 1));
+    }
+    measure_row(heights, band, kind, columns, &distance(0, y));
+  }
+}
 
-void measure_row_baseline(const RowHeights& heights, int band, const std::uint8_t* kind,
-                          std::size_t columns, float* distance) {
-  measure_row(heights, band, kind, columns, distance);
+using Measure = void(const Image<std::int16_t>&, int, Image<float>&);
+
+void measure_baseline(const Image<std::int16_t>& kinds, int band, Image<float>& distance) {
+  measure(kinds, band, distance);
 }
-TEGATA_AVX2 void measure_row_avx2(const RowHeights& heights, int band, const std::uint8_t* kind,
-                                  std::size_t columns, float* distance) {
-  measure_row(heights, band, kind, columns, distance);
+TEGATA_AVX2 void measure_avx2(const Image<std::int16_t>& kinds, int band, Image<float>& distance) {
+  measure(kinds, band, distance);
 }
-TEGATA_AVX512 void measure_row_avx512(const RowHeights& heights, int band, const std::uint8_t* kind,
-                                      std::size_t columns, float* distance) {
-  measure_row(heights, band, kind, columns, distance);
+TEGATA_AVX512 void measure_avx512(const Image<std::int16_t>& kinds, int band,
+                                  Image<float>& distance) {
+  measure(kinds, band, distance);
 }
 
 }  // namespace
@@ -99,33 +119,14 @@ Image<float> banded_distance(const Image<std::uint8_t>& mask, int band, Instruct
   if (band < 1 || band > kMostBand) {
     throw Error("distance: got a band of ", band, " pixels, expected 1 to ", kMostBand);
   }
-  const int width = mask.width(), height = mask.height();
-  Image<std::uint8_t> inside(width, height);
-  std::transform(mask.values().begin(), mask.values().end(), inside.values().begin(),
-                 [](std::uint8_t value) { return value != 0 ? std::uint8_t{1} : std::uint8_t{0}; });
-  const auto far = static_cast<std::int16_t>(band + 1);
-  const Image<std::int16_t> steps = column_distances(inside, far);
+  Image<std::int16_t> kinds(mask.width(), mask.height());
+  const std::uint8_t* values = mask.values().data();
+  std::int16_t* kind = kinds.values().data();
+  for (std::size_t i = 0; i < mask.pixel_count(); ++i) kind[i] = values[i] != 0 ? 1 : 0;
 
-  // A pixel looks for the other kind: which has height 0, or the steps to it along the column.
-  constexpr std::array<MeasureRow*, 3> kMeasureRow = {measure_row_baseline, measure_row_avx2,
-                                                      measure_row_avx512};
-  const auto columns = static_cast<std::size_t>(width), margin = static_cast<std::size_t>(band);
-  RowHeights heights;
-  heights.to_outside.assign(columns + 2 * margin + kChunk, static_cast<std::int16_t>(far * far));
-  heights.to_inside = heights.to_outside;
-  Image<float> distance(width, height);
-  for (int y = 0; y < height; ++y) {
-    const std::uint8_t* kind = &inside(0, y);
-    const std::int16_t* step = &steps(0, y);
-    std::int16_t* to_outside = heights.to_outside.data() + margin;
-    std::int16_t* to_inside = heights.to_inside.data() + margin;
-    for (std::size_t x = 0; x < columns; ++x) {
-      const auto squared = static_cast<std::int16_t>(step[x] * step[x]);
-      to_outside[x] = static_cast<std::int16_t>(squared * kind[x]);
-      to_inside[x] = static_cast<std::int16_t>(squared * (1 - kind[x]));
-    }
-    kMeasureRow[static_cast<std::size_t>(set)](heights, band, kind, columns, &distance(0, y));
-  }
+  constexpr std::array<Measure*, 3> kMeasure = {measure_baseline, measure_avx2, measure_avx512};
+  Image<float> distance(mask.width(), mask.height());
+  kMeasure[static_cast<std::size_t>(set)](kinds, band, distance);
   return distance;
 }
 
