@@ -137,6 +137,15 @@ TEST(BuiltInHand, FingersKeepTheirVolumeAtTheirLimits) {
   }
 }
 
+// Flexed without being abducted it would go through the palm.
+TEST(BuiltInHand, ThumbKeepsItsVolumeWhenItOpposes) {
+  JointAngles angles = JointAngles::Zero();
+  const double flat_volume = digit_volume(0, angles).solid;
+  angles[0] = 45.0 * std::numbers::pi / 180.0;
+  angles[1] = angle_limits().upper[1];
+  EXPECT_NEAR(digit_volume(0, angles).solid / flat_volume, 1.0, 0.1);
+}
+
 TEST(BuiltInHand, FingerBentBeyondItsLimitDoesNotCollapse) {
   constexpr double kBend = 110.0 * std::numbers::pi / 180.0;
   for (int digit = 1; digit < kDigitCount; ++digit) {

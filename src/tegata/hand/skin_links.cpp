@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace tegata {
 namespace {
@@ -16,17 +17,12 @@ double squared_distance(const std::array<Eigen::Vector3d, 2>& segment,
   return (segment[0] + part * way - point).squaredNorm();
 }
 
-// How many times the distance to the first bone a step goes on mixing. The thumb's metacarpal lies
-// at an acute angle to the palm with a web between, which must stretch over its whole width.
-double blend_width(int a, int b) {
-  if (std::min(a, b) > 0) return 1.0;
-  return 1.5;
-}
+// How many times the distance to the first bone a step goes on mixing. Between palm and digits are
+// webs, which must stretch over their whole width.
+double blend_width(int a, int b) { return std::min(a, b) == 0 ? 1.5 : 1.0; }
 
 // How far the palm reaches out between the fingers, as a part of their first bones.
 constexpr double kWebPart = 0.12;
-// How far the thumb's metacarpal reaches towards the index finger's first joint, in the web.
-constexpr double kThumbWebPart = 0.3;
 
 bool are_joined(int a, int b) { return parent_bone(a) == b || parent_bone(b) == a; }
 
@@ -53,8 +49,6 @@ BoneSegments bone_segments(const Skeleton& skeleton, const JointAngles& angles,
     segments[0].push_back({keypoints[0], root});
     segments[0].push_back({root, root + kWebPart * (outer - root)});
   }
-  segments[1].push_back(
-      {keypoints[2], keypoints[2] + kThumbWebPart * (keypoints[5] - keypoints[2])});
   for (const double side : {-0.6, 0.6}) {
     const Eigen::Vector3d wrist(side * wrist_half_breadth, 0.0, 0.0);
     segments[0].push_back({wrist, wrist - Eigen::Vector3d(0.0, forearm_length, 0.0)});
@@ -121,6 +115,11 @@ void smooth_palm_links(const TriangleMesh& surface, int rounds, std::vector<Skin
       const double first = sums[v][0] / (sums[v][0] + sums[v][1]);
       links[v].weights = {first, 1.0 - first, 0.0, 0.0};
     }
+  }
+  for (SkinLinks& of : links) {
+    if (of.weights[0] >= of.weights[1]) continue;
+    std::swap(of.weights[0], of.weights[1]);
+    std::swap(of.bones[0], of.bones[1]);
   }
 }
 
