@@ -49,8 +49,12 @@ std::pair<int, double> parse_angle(const std::string& value) {
   return {static_cast<int>(found - angle_names().begin()), degrees * kDegree};
 }
 
+Result read_result(const AngleSource& source) {
+  return read_result_json(std::filesystem::path(source.result) / "result.json");
+}
+
 HandPose pose_of_result(const AngleSource& source, const HandModel& hand) {
-  const Result result = read_result_json(std::filesystem::path(source.result) / "result.json");
+  const Result result = read_result(source);
   if (result.side != hand.skeleton.side) {
     throw Error(source.result, ": it is of a ", side_name(result.side), " hand, got a ",
                 side_name(hand.skeleton.side), " one; give --side ", side_name(result.side));
@@ -124,6 +128,14 @@ void add_angle_source(CLI::App& command, AngleSource& source) {
           "NAME=DEGREES, as index_pip_flexion=60; any number of times")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+HandModel load_hand(const HandSource& source, const AngleSource& angles) {
+  HandSource known = source;
+  if (source.file.empty() && source.side.empty() && !angles.result.empty()) {
+    known.side = side_name(read_result(angles).side);
+  }
+  return load_hand(known);
 }
 
 HandPose pose_of(const AngleSource& source, const HandModel& hand) {

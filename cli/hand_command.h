@@ -37,6 +37,8 @@ struct AngleSource {
   std::vector<std::pair<int, double>> angles;  ///< which angle, value [rad]
 };
 void add_angle_source(CLI::App& command, AngleSource& source);
+/// The hand to bend: where nothing says which side, that of the result.
+HandModel load_hand(const HandSource& source, const AngleSource& angles);
 /// The pose of a hand; without a frame of a result it is in the hand's own frame. Throws Error
 /// where the result is one of the other hand or has no such frame.
 HandPose pose_of(const AngleSource& source, const HandModel& hand);

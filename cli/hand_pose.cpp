@@ -50,7 +50,7 @@ void write_posed(const HandModel& hand, const HandPose& pose, const std::filesys
 }
 
 void run_pose(const PoseArguments& arguments) {
-  const HandModel hand = load_hand(arguments.source);
+  const HandModel hand = load_hand(arguments.source, arguments.angles);
   const HandPose pose = pose_of(arguments.angles, hand);
   if (!arguments.common.quiet) warn_of_limits(pose.angles);
   write_whole(arguments.output,
@@ -122,7 +122,7 @@ CameraImage draw(const HandModel& hand, const JointAngles& angles,
 }
 
 void run_picture(const PictureArguments& arguments) {
-  const HandModel hand = load_hand(arguments.source);
+  const HandModel hand = load_hand(arguments.source, arguments.angles);
   const HandPose pose = pose_of(arguments.angles, hand);
   if (!arguments.common.quiet) warn_of_limits(pose.angles);
   const CameraImage picture = draw(hand, pose.angles, arguments);
