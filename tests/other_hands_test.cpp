@@ -31,9 +31,9 @@ void expect_close_fit(Side side, const HandSurface& given) {
     if (k % 4 == 0) continue;
     joint_error += (posed.keypoints()[k] - given.keypoints[k]).norm() / (3.0 * kDigitCount);
   }
-  RecordProperty("mean_distance_mm", std::to_string(1e3 * fit.mean_distance));
-  RecordProperty("distance_95_mm", std::to_string(1e3 * fit.distance_95));
-  RecordProperty("joint_error_mm", std::to_string(1e3 * joint_error));
+  testing::Test::RecordProperty("mean_distance_mm", std::to_string(1e3 * fit.mean_distance));
+  testing::Test::RecordProperty("distance_95_mm", std::to_string(1e3 * fit.distance_95));
+  testing::Test::RecordProperty("joint_error_mm", std::to_string(1e3 * joint_error));
   EXPECT_LT(fit.mean_distance, 0.002);
   EXPECT_LT(fit.distance_95, 0.005);
   EXPECT_LT(joint_error, 0.005);
