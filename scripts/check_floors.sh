@@ -34,7 +34,7 @@ breaches=$(
       }
     }'
   folders=()
-  for folder in src cli tests cmake scripts examples; do
+  for folder in src cli tests bench fuzz cmake scripts examples; do
     [ -d "$folder" ] && folders+=("$folder")
   done
   find "${folders[@]}" -type f \
