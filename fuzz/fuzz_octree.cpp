@@ -51,6 +51,10 @@ class Lattice {
     if (std::min({x, y, z}) <= 0 || std::max({x, y, z}) >= side_ - 1) return false;
     return value({x, y, z}) > 0.0f;
   }
+  /// What the source says there.
+  float value(const LatticeIndex& at) const {
+    return values_[static_cast<std::size_t>(at[0] + side_ * (at[1] + side_ * at[2]))];
+  }
   int cells() const { return side_ - 1; }
   static bool is_unproven(const LatticeIndex& at) { return (at[0] + at[1] + at[2]) % 3 == 0; }
 
@@ -83,10 +87,6 @@ class Lattice {
       require(index[axis] >= 0 && index[axis] < side_, "a point beyond the root cube is asked for");
     }
     return index;
-  }
-
-  float value(const LatticeIndex& at) const {
-    return values_[static_cast<std::size_t>(at[0] + side_ * (at[1] + side_ * at[2]))];
   }
 
   /// As sharp as may be, or always in doubt.
@@ -174,16 +174,20 @@ void check_leaves(const SparseField& field, const Lattice& lattice, const Expect
   require(field.leaves.size() == expected.crossed_cells, "leaves are not the crossed cells");
   for (const OctreeLeaf& leaf : field.leaves) {
     const unsigned signs = signs_of(lattice, leaf.index[0], leaf.index[1], leaf.index[2]);
-    bool unproven = false;
+    bool must_be_marked = false, may_be_marked = false;
     for (std::int32_t i = 0; i < 8; ++i) {
       const bool inside = (signs >> i & 1u) != 0;
       require((leaf.field[static_cast<std::size_t>(i)] > 0.0f) == inside,
               "a leaf's corner has the wrong sign");
       const LatticeIndex corner = {leaf.index[0] + (i & 1), leaf.index[1] + (i >> 1 & 1),
                                    leaf.index[2] + (i >> 2)};
-      unproven = unproven || (inside && Lattice::is_unproven(corner));
+      if (!Lattice::is_unproven(corner)) continue;
+      must_be_marked = must_be_marked || inside;
+      // On the root's faces a corner is outside whatever the source says of it.
+      may_be_marked = may_be_marked || lattice.value(corner) > 0.0f;
     }
-    require(leaf.unproven == unproven, "a leaf is marked wrongly");
+    require(leaf.unproven || !must_be_marked, "a leaf is not marked");
+    require(!leaf.unproven || may_be_marked, "a leaf is marked without a reason");
   }
 }
 

@@ -4,11 +4,13 @@
 #
 # Installs what is missing, builds everything and runs every test: format and floors, the rooms'
 # tests under the address and undefined-behaviour sanitizers, then the whole suite (rooms, program
-# end to end, bad input, README, installed consumer) in release.
+# end to end, bad input, README, installed consumer) in release, then the fuzz targets for a minute
+# each.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/install_dependencies.sh test
+scripts/fetch_test_assets.sh
 scripts/check_format.sh
 scripts/check_floors.sh
 
@@ -20,3 +22,4 @@ cmake --build --preset asan --target unit_tests
 jobs=$(nproc)
 ctest --preset asan --no-tests=error -L unit -j "$jobs"
 ctest --preset release --no-tests=error -j "$jobs"
+scripts/fuzz.sh 60
