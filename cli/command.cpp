@@ -61,16 +61,13 @@ void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod
       ->check(CLI::IsMember({"infrared", "background", "skin", "mask"}));
 }
 
-void add_hull_options(CLI::App& command, HullOptions& options) {
+void add_voxel_option(CLI::App& command, HullOptions& options) {
   command
       .add_option_function<double>(
           "--voxel-mm", [&options](double voxel_mm) { options.voxel_size = 1e-3 * voxel_mm; },
           "Finest cell of the visual hull")
       ->check(CLI::Range(0.1, 50.0))
       ->default_str(fmt::format("{}", 1e3 * options.voxel_size));
-  command.add_option("--triangles", options.triangle_count, "Of the simplified visual hull")
-      ->check(CLI::Range(100, 10000000))
-      ->capture_default_str();
 }
 
 Side side_from_name(const std::string& name) {

@@ -39,8 +39,8 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_frames_option(CLI::App& command, FrameSelection& frames);
 /// --segmentation METHOD.
 void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod>& method);
-/// --voxel-mm and --triangles.
-void add_hull_options(CLI::App& command, HullOptions& options);
+/// --voxel-mm LENGTH.
+void add_voxel_option(CLI::App& command, HullOptions& options);
 
 /// "right" or "left"; throws Error otherwise.
 Side side_from_name(const std::string& name);

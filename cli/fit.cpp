@@ -141,7 +141,10 @@ void add_fit_command(CLI::App& program) {
       ->check(CLI::IsMember({"fixed", "free"}))
       ->capture_default_str();
   add_frames_option(*command, options.frames);
-  add_hull_options(*command, options.hull);
+  add_voxel_option(*command, options.hull);
+  command->add_option("--triangles", options.hull.triangle_count, "Of the simplified visual hull")
+      ->check(CLI::Range(100, 10000000))
+      ->capture_default_str();
   command->add_flag("--hulls", arguments->hulls, "Write the visual hulls as well");
   command->add_flag("--no-report", arguments->no_report, "No report.html");
   command->add_flag("--force", arguments->force, "Replace the result folder where it exists");

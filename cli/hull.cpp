@@ -23,9 +23,17 @@ constexpr const char* kSummaryFile = "hulls.json";
 struct Arguments {
   std::string take, folder;
   bool force = false;
+  std::size_t triangle_count = 0;  ///< 0: usual_triangle_count()
   HullTakeOptions options;
   CommonOptions common;
 };
+
+/// 4000 at the usual voxel, for finer ones more, as the surface asks for.
+std::size_t usual_triangle_count(double voxel_size) {
+  const HullOptions usual;
+  const double finer = std::max(1.0, usual.voxel_size / voxel_size);
+  return static_cast<std::size_t>(static_cast<double>(usual.triangle_count) * finer * finer);
+}
 
 nlohmann::ordered_json describe(const TakeHull& hull) {
   const HullReport& report = hull.report;
@@ -99,6 +107,11 @@ void run(Arguments& arguments) {
   Take take = Take::open(arguments.take);
   StagedFolder folder(arguments.folder, arguments.force, kSummaryFile);
   arguments.options.threads = arguments.common.threads;
+  if (arguments.triangle_count > 0) {
+    arguments.options.hull.triangle_count = arguments.triangle_count;
+  } else {
+    arguments.options.hull.triangle_count = usual_triangle_count(arguments.options.hull.voxel_size);
+  }
 
   nlohmann::ordered_json summary;
   summary["format"] = "tegata-hulls";
@@ -144,7 +157,11 @@ void add_hull_command(CLI::App& program) {
   command->add_option("-o,--output", arguments->folder, "Folder to make")->required();
   add_frames_option(*command, options.frames);
   add_segmentation_option(*command, options.segmentation);
-  add_hull_options(*command, options.hull);
+  add_voxel_option(*command, options.hull);
+  command
+      ->add_option("--triangles", arguments->triangle_count,
+                   "Of each simplified hull; else 4000, and more for voxels below 2 mm")
+      ->check(CLI::Range(100, 10000000));
   command
       ->add_option("--dissenting-views", options.hull.dissenting_views,
                    "A point survives so many views that see background there")

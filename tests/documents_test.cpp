@@ -4,6 +4,8 @@
 // What docs/formats.md shows is what the readers take.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "run_program.h"
@@ -65,6 +67,30 @@ TEST_F(FormatsDocument, ResultSnippetIsRead) {
   ASSERT_EQ(result.frames.size(), 2u);
   EXPECT_TRUE(result.frames[0].pose.has_value());
   EXPECT_FALSE(result.frames[1].pose.has_value());
+}
+
+std::set<std::string> keys_of(const nlohmann::json& object) {
+  std::set<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.insert(key);
+  return keys;
+}
+
+TEST_F(FormatsDocument, HullsSnippetHasTheKeysThatTheProgramWrites) {
+  const std::string take = (folder_ / "take").string(), hulls = (folder_ / "hulls").string();
+  ASSERT_EQ(run_program({"simulate", take, "--mode", "clean", "--frames", "1", "--size", "320x240",
+                         "--quiet"})
+                .exit_code,
+            0);
+  ASSERT_EQ(run_program({"hull", take, "-o", hulls, "--quiet"}).exit_code, 0);
+  const auto written = nlohmann::json::parse(read_text(folder_ / "hulls" / "hulls.json"));
+  const auto described = nlohmann::json::parse(snippet("json", "{\"format\": \"tegata-hulls\""));
+  EXPECT_EQ(keys_of(written), keys_of(described));
+  EXPECT_EQ(written["format"], described["format"]);
+  EXPECT_EQ(written["version"], described["version"]);
+  const auto &frame = written["frames"][0], &example = described["frames"][0];
+  EXPECT_EQ(keys_of(frame), keys_of(example));
+  EXPECT_EQ(keys_of(frame["levels"][0]), keys_of(example["levels"][0]));
+  EXPECT_EQ(keys_of(frame["milliseconds"]), keys_of(example["milliseconds"]));
 }
 
 TEST_F(FormatsDocument, TruthSnippetIsRead) {

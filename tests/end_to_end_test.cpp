@@ -9,6 +9,7 @@
 
 #include "run_program.h"
 #include "tegata/evaluate/evaluation.h"
+#include "tegata/mesh/mesh_file.h"
 #include "tegata/take/picture_file.h"
 #include "tegata/take/result.h"
 #include "tegata/take/test_folder.h"
@@ -55,6 +56,44 @@ TEST_F(EndToEnd, InfraredCylinderIsFoundWithinFiveMillimetres) {
   const Evaluation evaluation = evaluate(result());
   EXPECT_EQ(evaluation.fitted_count, 10u);
   EXPECT_LE(evaluation.mean.surface_error_mm, 5.0);
+}
+
+TEST_F(EndToEnd, HullsCoverTheirSilhouettesFromThreeAndFromEightSides) {
+  for (const std::string cameras : {"3", "8"}) {
+    const fs::path hulls = folder_ / ("hulls" + cameras);
+    simulate({"--mode", "clean", "--cameras", cameras, "--frames", "2", "--force"});
+    const ProgramRun run = run_program(
+        {"hull", take().string(), "-o", hulls.string(), "--voxel-mm", "1", "--quiet", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const json printed = json::parse(run.out);
+    EXPECT_EQ(printed, json::parse(read_text(hulls / "hulls.json")));
+    ASSERT_EQ(printed["frames"].size(), 2u);
+    for (const json& frame : printed["frames"]) {
+      EXPECT_EQ(frame["silhouette_iou"].size(), std::stoul(cameras));
+      for (const json& overlap : frame["silhouette_iou"]) EXPECT_GE(overlap, 0.99) << frame;
+      const TriangleMesh mesh = read_ply(hulls / frame["file"]);
+      EXPECT_EQ(mesh.triangles.size(), frame["triangles"]);
+      EXPECT_NEAR(1e6 * enclosed_volume(mesh), frame["volume_cm3"], 0.1);
+      const MeshTopology topology = inspect_topology(mesh);
+      EXPECT_TRUE(topology.closed && topology.oriented && topology.manifold);
+    }
+  }
+}
+
+TEST_F(EndToEnd, AFrameWithoutAHullIsSaidAndTheOthersAreMade) {
+  simulate(kSmallTake);
+  const fs::path mask = take() / "masks" / "camera_1" / "000001.png";
+  CameraImage empty = read_picture(mask);
+  for (std::uint16_t& value : empty.values.values()) value = 0;
+  for (const char* camera : {"camera_1", "camera_2"}) {
+    write_picture(empty, take() / "masks" / camera / "000001.png");
+  }
+  const fs::path hulls = folder_ / "hulls";
+  const ProgramRun run = run_program({"hull", take().string(), "-o", hulls.string()});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("hand found in 1 view"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("2 of 3 hulls"), std::string::npos) << run.out;
+  EXPECT_EQ(names_in(hulls), (std::vector<std::string>{"000000.ply", "000002.ply", "hulls.json"}));
 }
 
 TEST_F(EndToEnd, LeftHandWithASphereSeenByFiveCamerasIsFound) {
