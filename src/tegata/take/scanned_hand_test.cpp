@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "tegata/hand/built_in_hand.h"
 #include "tegata/math/so3.h"
 #include "tegata/mesh/mesh_file.h"
@@ -18,17 +16,6 @@ namespace tegata {
 namespace {
 
 namespace fs = std::filesystem;
-
-void write_obj(const TriangleMesh& mesh, const fs::path& file) {
-  std::ofstream stream(file);
-  stream.precision(12);
-  for (const Eigen::Vector3d& v : mesh.vertices) {
-    stream << "v " << v.x() << " " << v.y() << " " << v.z() << "\n";
-  }
-  for (const Triangle& t : mesh.triangles) {
-    stream << "f " << t[0] + 1 << " " << t[1] + 1 << " " << t[2] + 1 << "\n";
-  }
-}
 
 /// hand.toml beside a mesh of the given name.
 std::string toml_of(const ScannedHand& scan, const std::string& mesh, double metres_per_unit) {
