@@ -20,7 +20,7 @@ namespace {
 using Matrices = std::vector<Eigen::Matrix4d>;
 
 // Of all meshes together: far more than a hand needs, and little enough for any machine.
-constexpr std::size_t kMostVertices = 5'000'000;
+constexpr std::size_t kMostVertices = 2'000'000;
 
 /// The skin's joints: from the mesh as it is stored to the world, and the bone of each.
 struct Binding {

@@ -41,10 +41,10 @@ class DisjointSets {
 
 /// One side of a triangle. Corner c of triangle t has the number 3 t + c; a side has the number of
 /// the corner at which it starts.
-struct Side {
+struct TriangleSide {
   std::uint32_t low = 0, high = 0;  ///< vertices, low <= high
   std::uint32_t corner = 0;
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
+  bool same_edge(const TriangleSide& other) const { return low == other.low && high == other.high; }
 };
 
 inline std::uint32_t next_corner(std::uint32_t corner) {
@@ -56,14 +56,14 @@ inline std::uint32_t vertex_at(const TriangleMesh& mesh, std::uint32_t corner) {
 }
 
 /// All sides of a checked mesh, those of one edge next to each other.
-std::vector<Side> sides_by_edge(const TriangleMesh& mesh);
+std::vector<TriangleSide> sides_by_edge(const TriangleMesh& mesh);
 
 /// Calls visit(first, last) with the run of sides of each edge.
 template <typename Visit>
-void for_each_edge(const std::vector<Side>& sides, const Visit& visit) {
+void for_each_edge(const std::vector<TriangleSide>& sides, const Visit& visit) {
   for (auto first = sides.begin(); first != sides.end();) {
-    const auto last =
-        std::find_if(first, sides.end(), [&](const Side& side) { return !side.same_edge(*first); });
+    const auto last = std::find_if(
+        first, sides.end(), [&](const TriangleSide& side) { return !side.same_edge(*first); });
     visit(first, last);
     first = last;
   }
@@ -71,6 +71,6 @@ void for_each_edge(const std::vector<Side>& sides, const Visit& visit) {
 
 /// The corners of all triangles; those at one vertex are in one set where edges at that vertex join
 /// their triangles.
-DisjointSets corners_by_fan(const TriangleMesh& mesh, const std::vector<Side>& sides);
+DisjointSets corners_by_fan(const TriangleMesh& mesh, const std::vector<TriangleSide>& sides);
 
 }  // namespace tegata

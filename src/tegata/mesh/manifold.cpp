@@ -60,13 +60,13 @@ std::vector<Triangle> without_back_to_back(const std::vector<Triangle>& triangle
 // inside of the others.
 class AngleAround {
  public:
-  AngleAround(const TriangleMesh& mesh, const Side& edge)
+  AngleAround(const TriangleMesh& mesh, const TriangleSide& edge)
       : mesh_(mesh), origin_(mesh.vertices[edge.low]) {
     const Eigen::Vector3d axis = (mesh.vertices[edge.high] - origin_).normalized();
     x_ = axis.unitOrthogonal();
     y_ = axis.cross(x_);
   }
-  double operator()(const Side& side) const {
+  double operator()(const TriangleSide& side) const {
     const Eigen::Vector3d apex =
         mesh_.vertices[vertex_at(mesh_, next_corner(next_corner(side.corner)))] - origin_;
     return std::atan2(apex.dot(y_), apex.dot(x_));
@@ -80,9 +80,11 @@ class AngleAround {
 // Calls split(upward side, downward side) for all but one of the pairs into which the triangles of
 // an edge with more than two fall.
 template <typename Split>
-void pair_triangles(const TriangleMesh& mesh, std::vector<Side> sides, const Split& split) {
+void pair_triangles(const TriangleMesh& mesh, std::vector<TriangleSide> sides, const Split& split) {
   const AngleAround angle(mesh, sides.front());
-  const auto is_upward = [&](const Side& side) { return vertex_at(mesh, side.corner) == side.low; };
+  const auto is_upward = [&](const TriangleSide& side) {
+    return vertex_at(mesh, side.corner) == side.low;
+  };
   while (sides.size() > 2) {
     // The narrowest piece of the inside: from a downward side on to an upward one.
     std::size_t best_up = 0, best_down = 0;
@@ -111,10 +113,11 @@ void divide_crowded_edges(TriangleMesh& mesh) {
   bool any = false;
   for_each_edge(sides_by_edge(mesh), [&](auto first, auto last) {
     const auto count = last - first;
-    const auto upward = std::count_if(
-        first, last, [&](const Side& side) { return vertex_at(mesh, side.corner) == side.low; });
+    const auto upward = std::count_if(first, last, [&](const TriangleSide& side) {
+      return vertex_at(mesh, side.corner) == side.low;
+    });
     if (count <= 2 || 2 * upward != count) return;
-    pair_triangles(mesh, {first, last}, [&](const Side& up, const Side& down) {
+    pair_triangles(mesh, {first, last}, [&](const TriangleSide& up, const TriangleSide& down) {
       const auto vertex = static_cast<std::uint32_t>(mesh.vertices.size());
       mesh.vertices.push_back(0.5 * (mesh.vertices[up.low] + mesh.vertices[up.high]));
       if (!mesh.unproven.empty()) {

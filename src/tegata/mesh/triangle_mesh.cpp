@@ -11,7 +11,7 @@
 namespace tegata {
 namespace {
 
-DisjointSets pieces(const TriangleMesh& mesh, const std::vector<Side>& sides) {
+DisjointSets pieces(const TriangleMesh& mesh, const std::vector<TriangleSide>& sides) {
   DisjointSets triangles(mesh.triangles.size());
   for_each_edge(sides, [&](auto first, auto last) {
     for (auto side = first + 1; side != last; ++side) {
@@ -22,7 +22,7 @@ DisjointSets pieces(const TriangleMesh& mesh, const std::vector<Side>& sides) {
 }
 
 // Whether the triangles around each vertex are joined to one another by edges at that vertex.
-bool has_one_fan_a_vertex(const TriangleMesh& mesh, const std::vector<Side>& sides) {
+bool has_one_fan_a_vertex(const TriangleMesh& mesh, const std::vector<TriangleSide>& sides) {
   DisjointSets corners = corners_by_fan(mesh, sides);
   std::vector<std::uint8_t> seen(mesh.vertices.size(), 0);
   for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
@@ -90,12 +90,13 @@ Eigen::AlignedBox3d bounding_box(const TriangleMesh& mesh) {
 MeshTopology inspect_topology(const TriangleMesh& mesh) {
   check_mesh(mesh);
   MeshTopology topology{.closed = true, .oriented = true, .manifold = true};
-  const std::vector<Side> sides = sides_by_edge(mesh);
+  const std::vector<TriangleSide> sides = sides_by_edge(mesh);
   int edge_count = 0;
   for_each_edge(sides, [&](auto first, auto last) {
     const auto count = last - first;
-    const auto upward = std::count_if(
-        first, last, [&](const Side& side) { return vertex_at(mesh, side.corner) == side.low; });
+    const auto upward = std::count_if(first, last, [&](const TriangleSide& side) {
+      return vertex_at(mesh, side.corner) == side.low;
+    });
     ++edge_count;
     topology.closed &= count >= 2;
     topology.oriented &= count == 1 || 2 * upward == count;
