@@ -7,6 +7,7 @@
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
 #include "tegata/base/stopwatch.h"
+#include "tegata/fit/digit_search.h"
 
 namespace tegata {
 namespace {
@@ -171,6 +172,11 @@ void fit_all_frames(const FitHand& hand, std::span<const FitFrame* const> frames
   HandEstimate estimate = median_estimate(fits);
   SolverReport report = fit_together(hand, frames, options, estimate);
   grasp.iterations = report.iterations;
+  if (const std::optional<SolverReport> better =
+          reseat_digits(hand, frames, options.all_frames, options.threads, estimate)) {
+    report = *better;
+    grasp.iterations += report.iterations;
+  }
   if (seek_suspects(hand, frames, report.frame_energies, options, estimate)) {
     report = fit_together(hand, frames, options, estimate);
     grasp.iterations += report.iterations;

@@ -36,8 +36,9 @@ struct GraspFit {
 /// Finds the hand in all frames: the first from its landmarks or, without them, from many poses at
 /// the ends of its hull; each next one from the one before, and from the ends of its hull as well
 /// where that fits far worse than frames did before; then all frames at once with one set of
-/// angles, so that frames in which something hides a finger lose their influence on it. Frames that
-/// fit worse than the others are then sought anew with the angles known, and all fitted once more.
+/// angles, so that frames in which something hides a finger lose their influence on it. Fingers are
+/// then tried in other places, frames that fit worse than the others sought anew with the angles
+/// known, and all fitted once more.
 /// `frames` must not be empty and each needs a hull; throws Error otherwise.
 GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
                    const GraspFitOptions& options, const Observer& observer);

@@ -149,6 +149,7 @@ class OctreeDivision {
                                   low[2] + static_cast<std::int32_t>(i / (kSide * kSide))};
       if (block_.field[i] > 0.0f && touches_root_face(point, 0)) {
         block_.field[i] = -static_cast<float>(root_.cell_size);
+        block_.unproven[i] = 0;
       }
     }
   }
