@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "tegata/base/error.h"
+#include "tegata/hand/posed_rows.h"
+#include "tegata/hand/skin_rows.h"
 #include "tegata/math/so3.h"
 
 namespace tegata {
@@ -117,33 +119,55 @@ HandPose advanced(const HandPose& pose, const Eigen::Matrix<double, kHandParamet
   return next;
 }
 
-PosedHand::PosedHand(const HandModel& model, const HandPose& pose)
-    : model_(&model), pose_(pose), keypoints_(posed_keypoints(model.skeleton, pose)) {
-  const auto from_zero = bone_transforms(model.skeleton, pose.angles);
-  const auto from_rest = bone_transforms(model.skeleton, model.rest_angles);
-  for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    const Rigid3d moved = pose.world_from_hand * from_zero[bone] * from_rest[bone].inverse();
-    world_from_rest_[bone] << moved.rotation.toRotationMatrix(), moved.translation;
-  }
-  axes_in_world_ = joint_axes(model.skeleton, pose.angles);
-  for (JointAxis& axis : axes_in_world_) {
-    axis.center = pose.world_from_hand * axis.center;
-    axis.direction = pose.world_from_hand.rotation * axis.direction;
-  }
-  const TriangleMesh& rest = model.rest_surface;
-  vertices_.resize(rest.vertices.size());
-  normals_.resize(rest.normals.size());
-  for (std::size_t vertex = 0; vertex < vertices_.size(); ++vertex) {
-    const SkinLinks& links = model.links[vertex];
-    BoneMatrix blended = links.weights[0] * world_from_rest_[index(links.bones[0])];
-    for (std::size_t i = 1; i < links.bones.size(); ++i) {
-      if (links.weights[i] > 0.0) {
-        blended += links.weights[i] * world_from_rest_[index(links.bones[i])];
-      }
+namespace {
+
+Eigen::Vector3d point_of_row(const RowPoints& points, std::size_t lane) {
+  return {points[0][lane], points[1][lane], points[2][lane]};
+}
+
+std::shared_ptr<const PosedRows> posed_rows(const HandModel& model, const HandPose& pose,
+                                            std::shared_ptr<const SkinRows> rows) {
+  if (!rows) rows = std::make_shared<SkinRows>(model);
+  auto posed = std::make_shared<PosedRows>(std::move(rows), model);
+  posed->move_to(pose);
+  return posed;
+}
+
+// The angles' columns of a vertex or its normal: each of its rows has those of one digit.
+template <typename ColumnsOfBlock>
+void add_angle_columns(const SkinRows& rows, std::size_t vertex, ColumnsOfBlock&& columns_of_block,
+                       PointJacobian& jacobian) {
+  const auto add_row = [&](std::size_t row) {
+    const std::size_t part = rows.part_of_row(row);
+    if (part == SkinRows::kPalmPart) return;
+    const AngleColumns& columns = columns_of_block(row / kRowLanes);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      jacobian.col(kPoseParameterCount + static_cast<Eigen::Index>(4 * part + i)) =
+          point_of_row(columns[i], row % kRowLanes);
     }
-    vertices_[vertex] = blended.leftCols<3>() * rest.vertices[vertex] + blended.col(3);
+  };
+  const SkinRows::SharedVertex* const shared = rows.shared(vertex);
+  if (shared == nullptr) return add_row(rows.first_row(vertex));
+  for (const std::uint32_t row : shared->rows) add_row(row);
+}
+
+}  // namespace
+
+PosedHand::PosedHand(const HandModel& model, const HandPose& pose,
+                     std::shared_ptr<const SkinRows> rows)
+    : model_(&model),
+      pose_(pose),
+      rows_(posed_rows(model, pose, std::move(rows))),
+      vertices_(model.rest_surface.vertices.size()),
+      normals_(model.rest_surface.normals.size()),
+      keypoints_(posed_keypoints(model.skeleton, pose)) {
+  for (std::size_t vertex = 0; vertex < vertices_.size(); ++vertex) {
+    const std::size_t row = rows_->rows().first_row(vertex);
+    const PosedPoints& points = rows_->points(row / kRowLanes);
+    vertices_[vertex] =
+        point_of_row(points.position, row % kRowLanes) + pose.world_from_hand.translation;
     if (vertex < normals_.size()) {
-      normals_[vertex] = (blended.leftCols<3>() * rest.normals[vertex]).normalized();
+      normals_[vertex] = point_of_row(points.normal, row % kRowLanes);
     }
   }
 }
@@ -156,42 +180,35 @@ TriangleMesh PosedHand::surface() const {
   return mesh;
 }
 
-PointJacobian PosedHand::rigid_jacobian(const Eigen::Vector3d& point_in_world) const {
+PointJacobian PosedHand::vertex_jacobian(std::size_t vertex) const {
   PointJacobian jacobian = PointJacobian::Zero();
-  jacobian.leftCols<3>() = -cross_matrix(point_in_world - pose_.world_from_hand.translation);
+  jacobian.leftCols<3>() = -cross_matrix(vertices_[vertex] - pose_.world_from_hand.translation);
   jacobian.middleCols<3>(3).setIdentity();
+  add_angle_columns(
+      rows_->rows(), vertex,
+      [&](std::size_t block) -> const AngleColumns& { return rows_->columns(block); }, jacobian);
   return jacobian;
 }
 
-void PosedHand::add_angle_columns(int bone, double weight, const Eigen::Vector3d& point_in_world,
-                                  PointJacobian& jacobian) const {
-  if (bone == 0) return;
-  // The angles that move a bone follow each other: from its digit's abduction to its own flexion.
-  const int first = 4 * ((bone - 1) / 3), last = first + 1 + (bone - 1) % 3;
-  for (int angle = first; angle <= last; ++angle) {
-    const JointAxis& axis = axes_in_world_[index(angle)];
-    jacobian.col(kPoseParameterCount + angle) +=
-        weight * axis.direction.cross(point_in_world - axis.center);
-  }
-}
-
-PointJacobian PosedHand::vertex_jacobian(std::size_t vertex) const {
-  PointJacobian jacobian = rigid_jacobian(vertices_[vertex]);
-  const SkinLinks& links = model_->links[vertex];
-  const Eigen::Vector3d& rest = model_->rest_surface.vertices[vertex];
-  for (std::size_t i = 0; i < links.bones.size(); ++i) {
-    if (links.weights[i] <= 0.0) continue;
-    const BoneMatrix& matrix = world_from_rest_[index(links.bones[i])];
-    add_angle_columns(links.bones[i], links.weights[i], matrix.leftCols<3>() * rest + matrix.col(3),
-                      jacobian);
-  }
+PointJacobian PosedHand::normal_jacobian(std::size_t vertex) const {
+  PointJacobian jacobian = PointJacobian::Zero();
+  jacobian.leftCols<3>() = -cross_matrix(normals_[vertex]);
+  add_angle_columns(
+      rows_->rows(), vertex, [&](std::size_t block) { return rows_->normal_columns(block); },
+      jacobian);
   return jacobian;
 }
 
 PointJacobian PosedHand::keypoint_jacobian(int keypoint) const {
-  const Eigen::Vector3d& point = keypoints_[index(keypoint)];
-  PointJacobian jacobian = rigid_jacobian(point);
-  add_angle_columns(bone_of_keypoint(keypoint), 1.0, point, jacobian);
+  const Eigen::Vector3d point = keypoints_[index(keypoint)] - pose_.world_from_hand.translation;
+  PointJacobian jacobian = PointJacobian::Zero();
+  jacobian.leftCols<3>() = -cross_matrix(point);
+  jacobian.middleCols<3>(3).setIdentity();
+  for (int angle = 0; angle < kAngleCount; ++angle) {
+    if (!angle_moves_bone(angle, bone_of_keypoint(keypoint))) continue;
+    const JointAxis& axis = rows_->axes()[index(angle)];
+    jacobian.col(kPoseParameterCount + angle) = axis.direction.cross(point - axis.center);
+  }
   return jacobian;
 }
 

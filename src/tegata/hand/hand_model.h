@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,38 +57,39 @@ using PointJacobian = Eigen::Matrix<double, 3, kHandParameterCount>;
 /// and angles added.
 HandPose advanced(const HandPose& pose, const Eigen::Matrix<double, kHandParameterCount, 1>& step);
 
+class SkinRows;
+class PosedRows;
+
 /// A hand model put into a pose: world vertices and normals by linear blend skinning (with two
 /// links a vertex the weighted interior division of the paper, III-B-2), and their derivatives.
 class PosedHand {
  public:
-  /// Keeps a reference to the model, which must outlive it.
-  PosedHand(const HandModel& model, const HandPose& pose);
+  /// Keeps a reference to the model, which must outlive it. Who poses a model often makes its
+  /// SkinRows once and hands them in.
+  PosedHand(const HandModel& model, const HandPose& pose,
+            std::shared_ptr<const SkinRows> rows = nullptr);
 
   const HandModel& model() const { return *model_; }
   const HandPose& pose() const { return pose_; }
   const std::vector<Eigen::Vector3d>& vertices() const { return vertices_; }
   const std::vector<Eigen::Vector3d>& normals() const { return normals_; }
   const std::array<Eigen::Vector3d, kKeypointCount>& keypoints() const { return keypoints_; }
+  /// Vertices, normals and their derivatives in the order in which loops over all of them are
+  /// fast.
+  const PosedRows& rows() const { return *rows_; }
   /// The surface in world coordinates, with normals.
   TriangleMesh surface() const;
   /// d vertex / d parameters.
   PointJacobian vertex_jacobian(std::size_t vertex) const;
+  /// d normal / d parameters.
+  PointJacobian normal_jacobian(std::size_t vertex) const;
   /// d keypoint / d parameters.
   PointJacobian keypoint_jacobian(int keypoint) const;
 
  private:
-  /// Rotation and translation side by side.
-  using BoneMatrix = Eigen::Matrix<double, 3, 4>;
-
-  PointJacobian rigid_jacobian(const Eigen::Vector3d& point_in_world) const;
-  /// What the angles do to a point that is fixed to a bone, times a weight.
-  void add_angle_columns(int bone, double weight, const Eigen::Vector3d& point_in_world,
-                         PointJacobian& jacobian) const;
-
   const HandModel* model_;
   HandPose pose_;
-  std::array<BoneMatrix, kBoneCount> world_from_rest_;  ///< of each bone
-  std::array<JointAxis, kAngleCount> axes_in_world_;
+  std::shared_ptr<const PosedRows> rows_;
   std::vector<Eigen::Vector3d> vertices_;
   std::vector<Eigen::Vector3d> normals_;
   std::array<Eigen::Vector3d, kKeypointCount> keypoints_;

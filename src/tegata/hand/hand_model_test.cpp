@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tegata/base/error.h"
+#include "tegata/hand/skin_rows.h"
 #include "tegata/hand/test_hand.h"
 #include "tegata/math/finite_difference.h"
 #include "tegata/math/so3.h"
@@ -15,26 +16,6 @@ namespace tegata {
 namespace {
 
 using Step = Eigen::Matrix<double, kHandParameterCount, 1>;
-
-HandPose random_pose(std::uint64_t seed) {
-  Random random(seed + 100);
-  HandPose pose;
-  pose.world_from_hand.rotation =
-      so3_exp({random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0)});
-  pose.world_from_hand.translation = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.8};
-  pose.angles = random_angles(seed);
-  return pose;
-}
-
-/// Poses at rest, almost at rest and anywhere.
-std::vector<HandPose> poses_to_check(const HandModel& model) {
-  std::vector<HandPose> poses(2);
-  poses[0].angles = model.rest_angles;
-  poses[1].angles = (model.rest_angles.array() + 1e-5).matrix();
-  poses[1].world_from_hand.rotation = so3_exp({1e-6, -1e-7, 0.0});
-  for (std::uint64_t seed = 0; seed < 3; ++seed) poses.push_back(random_pose(seed));
-  return poses;
-}
 
 TEST(PosedHand, AtRestIsTheRestSurface) {
   const HandModel model = test_hand();
@@ -66,41 +47,61 @@ TEST(PosedHand, VertexIsTheWeightedDivisionOfItsBonesImages) {
   }
 }
 
-TEST(PosedHand, VertexJacobianIsThatOfFiniteDifferences) {
-  const HandModel model = test_hand();
-  for (const HandPose& pose : poses_to_check(model)) {
-    const Eigen::MatrixXd expected = finite_difference_jacobian(
-        [&](const Eigen::VectorXd& step) -> Eigen::VectorXd {
-          const PosedHand posed(model, advanced(pose, step));
-          return Eigen::Map<const Eigen::VectorXd>(
-              posed.vertices()[0].data(), static_cast<Eigen::Index>(3 * posed.vertices().size()));
-        },
-        Eigen::VectorXd::Zero(kHandParameterCount));
-    const PosedHand posed(model, pose);
-    for (std::size_t i = 0; i < posed.vertices().size(); ++i) {
-      EXPECT_LT(
-          (posed.vertex_jacobian(i) - expected.middleRows<3>(static_cast<Eigen::Index>(3 * i)))
-              .cwiseAbs()
-              .maxCoeff(),
-          1e-8)
-          << i;
+Eigen::VectorXd flat(const std::vector<Eigen::Vector3d>& points) {
+  return Eigen::Map<const Eigen::VectorXd>(points[0].data(),
+                                           static_cast<Eigen::Index>(3 * points.size()));
+}
+
+TEST(PosedHand, JacobiansOfVerticesAndNormalsAreThoseOfFiniteDifferences) {
+  for (const HandModel& model : hands_to_check()) {
+    for (const HandPose& pose : poses_to_check(model)) {
+      const auto difference = [&](auto&& points_of) {
+        return finite_difference_jacobian(
+            [&](const Eigen::VectorXd& step) -> Eigen::VectorXd {
+              return flat(points_of(PosedHand(model, advanced(pose, step))));
+            },
+            Eigen::VectorXd::Zero(kHandParameterCount));
+      };
+      const Eigen::MatrixXd vertices =
+          difference([](const PosedHand& hand) { return hand.vertices(); });
+      const Eigen::MatrixXd normals =
+          difference([](const PosedHand& hand) { return hand.normals(); });
+      const PosedHand posed(model, pose);
+      for (std::size_t i = 0; i < posed.vertices().size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(3 * i);
+        const PointJacobian of_vertex = posed.vertex_jacobian(i) - vertices.middleRows<3>(row);
+        const PointJacobian of_normal = posed.normal_jacobian(i) - normals.middleRows<3>(row);
+        EXPECT_LT(of_vertex.cwiseAbs().maxCoeff(), 1e-8) << model.name << " " << i;
+        EXPECT_LT(of_normal.cwiseAbs().maxCoeff(), 1e-8) << model.name << " " << i;
+      }
     }
   }
 }
 
 TEST(PosedHand, KeypointJacobianIsThatOfFiniteDifferences) {
-  const HandModel model = test_hand();
-  for (const HandPose& pose : poses_to_check(model)) {
-    const PosedHand posed(model, pose);
-    for (int k = 0; k < kKeypointCount; ++k) {
+  for (const HandModel& model : hands_to_check()) {
+    for (const HandPose& pose : poses_to_check(model)) {
       const Eigen::MatrixXd expected = finite_difference_jacobian(
           [&](const Eigen::VectorXd& step) -> Eigen::VectorXd {
-            return posed_keypoints(model.skeleton,
-                                   advanced(pose, step))[static_cast<std::size_t>(k)];
+            const auto points = posed_keypoints(model.skeleton, advanced(pose, step));
+            return Eigen::Map<const Eigen::VectorXd>(points[0].data(), 3 * kKeypointCount);
           },
           Eigen::VectorXd::Zero(kHandParameterCount));
-      EXPECT_LT((posed.keypoint_jacobian(k) - expected).cwiseAbs().maxCoeff(), 1e-8) << k;
+      const PosedHand posed(model, pose);
+      for (int k = 0; k < kKeypointCount; ++k) {
+        const PointJacobian difference =
+            posed.keypoint_jacobian(k) - expected.middleRows<3>(Eigen::Index{3} * k);
+        EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-8) << model.name << " " << k;
+      }
     }
+  }
+}
+
+TEST(PosedHand, RowsMadeOnceServeAllPoses) {
+  const HandModel model = test_hand();
+  const auto rows = std::make_shared<const SkinRows>(model);
+  for (const HandPose& pose : poses_to_check(model)) {
+    EXPECT_EQ(PosedHand(model, pose, rows).vertices(), PosedHand(model, pose).vertices());
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "tegata/base/random.h"
 #include "tegata/hand/hand_model.h"
+#include "tegata/math/so3.h"
 
 namespace tegata {
 
@@ -75,6 +76,45 @@ inline HandModel test_hand() {
     }
   }
   return model;
+}
+
+/// test_hand() with some vertices that several digits pull at, as in hands of others' making.
+inline HandModel tangled_hand() {
+  HandModel model = test_hand();
+  model.name = "tangled";
+  for (std::size_t vertex = 0; vertex < model.links.size(); vertex += 7) {
+    const int bone = model.links[vertex].bones[0];
+    model.links[vertex].bones = {bone, 0, (bone + 4) % kBoneCount, (bone + 9) % kBoneCount};
+    model.links[vertex].weights = {0.4, 0.1, 0.3, 0.2};
+  }
+  return model;
+}
+
+/// Both hands, and all kinds of links.
+inline std::vector<HandModel> hands_to_check() {
+  std::vector<HandModel> hands = {test_hand(), tangled_hand()};
+  hands.push_back(mirrored(hands[1]));
+  return hands;
+}
+
+inline HandPose random_pose(std::uint64_t seed) {
+  Random random(seed + 100);
+  HandPose pose;
+  pose.world_from_hand.rotation =
+      so3_exp({random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0)});
+  pose.world_from_hand.translation = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0.8};
+  pose.angles = random_angles(seed);
+  return pose;
+}
+
+/// Poses at rest, almost at rest and anywhere.
+inline std::vector<HandPose> poses_to_check(const HandModel& model) {
+  std::vector<HandPose> poses(2);
+  poses[0].angles = model.rest_angles;
+  poses[1].angles = (model.rest_angles.array() + 1e-5).matrix();
+  poses[1].world_from_hand.rotation = so3_exp({1e-6, -1e-7, 0.0});
+  for (std::uint64_t seed = 0; seed < 3; ++seed) poses.push_back(random_pose(seed));
+  return poses;
 }
 
 }  // namespace tegata
