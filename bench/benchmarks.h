@@ -15,6 +15,8 @@ bool benchmark_isosurface();
 bool benchmark_simplify();
 /// B4: nearest points.
 bool benchmark_closest_point();
+/// A hand posed with its derivatives.
+bool benchmark_hand();
 /// Silhouettes to 4,000 triangles, step by step.
 bool benchmark_chain();
 /// How much memory the finest hulls take at their peak.

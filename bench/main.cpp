@@ -21,7 +21,7 @@ constexpr std::pair<std::string_view, bool (*)()> kBenchmarks[] = {
     {"memory", benchmark_memory},  // first: it starts processes, before anything makes threads
     {"hull", benchmark_hull},         {"isosurface", benchmark_isosurface},
     {"simplify", benchmark_simplify}, {"closest_point", benchmark_closest_point},
-    {"chain", benchmark_chain}};
+    {"hand", benchmark_hand},         {"chain", benchmark_chain}};
 
 bool run(std::string_view name) {
   for (const auto& [known, benchmark] : kBenchmarks) {
