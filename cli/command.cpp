@@ -11,6 +11,7 @@
 
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/hand/built_in_hand.h"
+#include "tegata/take/hand_shape_file.h"
 #include "tegata/take/scanned_hand.h"
 
 namespace tegata {
@@ -37,6 +38,25 @@ FrameSelection parse_frames(const std::string& value) {
   return frames;
 }
 
+void check_side(const std::string& file, Side got, std::optional<Side> expected) {
+  if (!expected || got == *expected) return;
+  throw Error(file, ": it holds a ", side_name(got), " hand, expected a ", side_name(*expected),
+              " one; `tegata hand convert --mirror` makes one of it");
+}
+
+HandModel load_toml_hand(const std::string& file, std::optional<Side> side) {
+  if (is_hand_shape_file(file)) {
+    const HandShapeFile shape = read_hand_shape(file);
+    check_side(file, shape.side, side);
+    HandModel model = built_in_hand(shape_from_parameters(shape.parameters), shape.side);
+    model.name = shape.name;
+    return model;
+  }
+  const ScannedHand scan = read_scanned_hand(file);
+  check_side(file, scan.side, side);
+  return rigged(scan);
+}
+
 }  // namespace
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
@@ -61,6 +81,18 @@ void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod
       ->check(CLI::IsMember({"infrared", "background", "skin", "mask"}));
 }
 
+void add_grasp_option(CLI::App& command, std::string& grasp) {
+  command
+      .add_option("--grasp", grasp,
+                  "fixed: one set of joint angles for all frames; free: one a frame")
+      ->check(CLI::IsMember({"fixed", "free"}))
+      ->capture_default_str();
+}
+
+GraspConstraint grasp_constraint_from_name(const std::string& name) {
+  return name == "free" ? GraspConstraint::free : GraspConstraint::fixed;
+}
+
 void add_voxel_option(CLI::App& command, HullOptions& options) {
   command
       .add_option_function<double>(
@@ -77,17 +109,26 @@ Side side_from_name(const std::string& name) {
   throw Error("hand: got '", name, "', expected right or left");
 }
 
+Side choose_side(const Take& take, const std::string& asked) {
+  const std::optional<Side>& known = take.info().side;
+  if (!known && asked.empty()) {
+    throw Error(take.folder().string(),
+                ": the take does not say which hand it shows; give --side right or left, or set "
+                "hand in take.toml");
+  }
+  if (asked.empty()) return *known;
+  const Side side = side_from_name(asked);
+  if (known && *known != side) {
+    throw Error(take.folder().string(), ": got --side ", asked, ", but take.toml says ",
+                side_name(*known));
+  }
+  return side;
+}
+
 HandModel load_hand(const std::string& file, std::optional<Side> side) {
   if (file.empty()) return built_in_hand(HandShape{}, side.value_or(Side::right));
   const std::string ending = std::filesystem::path(file).extension().string();
-  if (ending == ".toml") {
-    const ScannedHand scan = read_scanned_hand(file);
-    if (side && scan.side != *side) {
-      throw Error(file, ": it holds a ", side_name(scan.side), " hand, expected a ",
-                  side_name(*side), " one; `tegata hand convert --mirror` makes one of it");
-    }
-    return rigged(scan);
-  }
+  if (ending == ".toml") return load_toml_hand(file, side);
   if (ending != ".glb" && ending != ".gltf") {
     throw Error(
         file, ": got '", ending,

@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "tegata/base/error.h"
+#include "tegata/fit/grasp_fit.h"
 #include "tegata/hand/hand_model.h"
 #include "tegata/hull/visual_hull.h"
 #include "tegata/pipeline/frame_selection.h"
 #include "tegata/take/result.h"
+#include "tegata/take/take.h"
 
 namespace tegata {
 
@@ -39,14 +41,22 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_frames_option(CLI::App& command, FrameSelection& frames);
 /// --segmentation METHOD.
 void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod>& method);
+/// --grasp fixed|free.
+void add_grasp_option(CLI::App& command, std::string& grasp);
+GraspConstraint grasp_constraint_from_name(const std::string& name);
 /// --voxel-mm LENGTH.
 void add_voxel_option(CLI::App& command, HullOptions& options);
 
 /// "right" or "left"; throws Error otherwise.
 Side side_from_name(const std::string& name);
 
+/// Which hand a take shows: what it says, or `asked` where it does not. Throws Error where neither
+/// does and where they differ.
+Side choose_side(const Take& take, const std::string& asked);
+
 /// The built-in hand of the mean adult, or, unless `file` is empty, the hand in it: skinned (GLB,
-/// glTF) or scanned (TOML). Without a side it is the file's own; the built-in hand is a right one.
+/// glTF), scanned, or the built-in one in a shape (TOML). Without a side it is the file's own; the
+/// built-in hand is a right one.
 HandModel load_hand(const std::string& file, std::optional<Side> side);
 
 /// The mean silhouette overlap of each camera over the frames that are ok.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <charconv>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "tegata/base/stopwatch.h"
 #include "tegata/export/report_page.h"
 #include "tegata/export/result_folder.h"
+#include "tegata/hand/scaled_hand.h"
 #include "tegata/mesh/mesh_file.h"
 #include "tegata/pipeline/fit_take.h"
 #include "tegata/pipeline/overlays.h"
@@ -25,28 +27,24 @@ constexpr std::size_t kReportFrames = 8;
 constexpr int kReportPictureWidth = 480;
 constexpr int kReportJpegQuality = 80;
 
+/// "auto" (nothing) or a factor.
+std::optional<double> parse_scale(const std::string& value) {
+  if (value == "auto") return std::nullopt;
+  double factor = 0.0;
+  const char* end = value.data() + value.size();
+  const auto [last, problem] = std::from_chars(value.data(), end, factor);
+  if (problem != std::errc() || last != end || !(factor >= 0.5 && factor <= 2.0)) {
+    throw CLI::ValidationError("--scale", "got '" + value + "', expected auto or 0.5 to 2");
+  }
+  return factor;
+}
+
 struct Arguments {
   std::string take, result, hand_file, side, grasp = "fixed";
   bool hulls = false, no_report = false, force = false;
   FitTakeOptions options;
   CommonOptions common;
 };
-
-Side choose_side(const Take& take, const std::string& asked) {
-  const std::optional<Side>& known = take.info().side;
-  if (!known && asked.empty()) {
-    throw Error(take.folder().string(),
-                ": the take does not say which hand it shows; give --side right or left, or set "
-                "hand in take.toml");
-  }
-  if (asked.empty()) return *known;
-  const Side side = side_from_name(asked);
-  if (known && *known != side) {
-    throw Error(take.folder().string(), ": got --side ", asked, ", but take.toml says ",
-                side_name(*known));
-  }
-  return side;
-}
 
 void write_report(Take& take, const Result& result, const HandModel& hand,
                   const std::optional<SegmentationMethod>& segmentation,
@@ -69,6 +67,10 @@ void print_json(const Arguments& arguments, const Result& result, double seconds
   json["silhouette_iou"] = mean_overlaps(result);
   json["iterations"] = result.iterations;
   json["termination"] = result.termination;
+  json["scale"] = result.model_scale;
+  if (result.model_scale_standard_deviation) {
+    json["scale_standard_deviation"] = *result.model_scale_standard_deviation;
+  }
   json["seconds"] = seconds;
   std::cout << json.dump() << "\n";
 }
@@ -84,6 +86,10 @@ void print_summary(const Arguments& arguments, const Result& result, double seco
   if (ok > 0) {
     std::cout << fmt::format("mean silhouette overlap: {}\n", overlap_text(mean_overlaps(result)));
   }
+  if (result.model_scale_standard_deviation) {
+    std::cout << fmt::format("scale of the hand: {:.3f}, give or take {:.3f}\n", result.model_scale,
+                             *result.model_scale_standard_deviation);
+  }
   std::cout << fmt::format("result in {}: {}angles.csv, hand.glb, meshes, result.json\n",
                            arguments.result, arguments.no_report ? "" : "report.html, ");
 }
@@ -91,12 +97,12 @@ void print_summary(const Arguments& arguments, const Result& result, double seco
 void run(Arguments& arguments) {
   const Stopwatch stopwatch;
   Take take = Take::open(arguments.take);
-  const HandModel hand = load_hand(arguments.hand_file, choose_side(take, arguments.side));
+  const HandModel asked = load_hand(arguments.hand_file, choose_side(take, arguments.side));
   StagedFolder folder(arguments.result, arguments.force, "result.json");
 
   FitTakeOptions& options = arguments.options;
   options.threads = arguments.common.threads;
-  options.fit.grasp = arguments.grasp == "free" ? GraspConstraint::free : GraspConstraint::fixed;
+  options.fit.grasp = grasp_constraint_from_name(arguments.grasp);
   if (arguments.hulls) {
     const std::filesystem::path hulls = folder.path() / "hulls";
     std::filesystem::create_directory(hulls);
@@ -107,7 +113,8 @@ void run(Arguments& arguments) {
   Result result;
   {
     Progress progress(arguments.common.quiet);
-    result = fit_take(take, hand, options, progress.observer());
+    result = fit_take(take, asked, options, progress.observer());
+    const HandModel hand = scaled(asked, result.model_scale);
     write_result_files(result, hand, folder.path());
     if (!arguments.no_report) {
       write_report(take, result, hand, options.segmentation, folder.path() / "report.html");
@@ -130,16 +137,19 @@ void add_fit_command(CLI::App& program) {
   command->add_option("TAKE", arguments->take, "Folder with calibration.toml and pictures")
       ->required();
   command->add_option("-o,--output", arguments->result, "Folder to make")->required();
-  command->add_option("--hand", arguments->hand_file,
-                      "A skinned hand (GLB, glTF) or a scanned one (TOML); else the built-in one");
+  command->add_option(
+      "--hand", arguments->hand_file,
+      "A hand from a file (GLB, glTF, TOML); else the built-in one of the mean adult");
   command->add_option("--side", arguments->side, "Which hand, where the take does not say")
       ->check(CLI::IsMember({"right", "left"}));
   add_segmentation_option(*command, options.segmentation);
+  add_grasp_option(*command, arguments->grasp);
   command
-      ->add_option("--grasp", arguments->grasp,
-                   "fixed: one set of joint angles for all frames; free: one a frame")
-      ->check(CLI::IsMember({"fixed", "free"}))
-      ->capture_default_str();
+      ->add_option_function<std::string>(
+          "--scale",
+          [arguments](const std::string& value) { arguments->options.scale = parse_scale(value); },
+          "auto: find the hand's size as well; or a factor on it")
+      ->default_str("1");
   add_frames_option(*command, options.frames);
   add_voxel_option(*command, options.hull);
   command->add_option("--triangles", options.hull.triangle_count, "Of the simplified visual hull")

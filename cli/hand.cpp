@@ -142,13 +142,15 @@ void add_hand_convert_command(CLI::App& hand) {
 }
 
 void add_hand_command(CLI::App& program) {
-  CLI::App* hand = program.add_subcommand("hand", "Inspect, convert, pose and draw hands");
+  CLI::App* hand =
+      program.add_subcommand("hand", "Inspect, convert, pose, draw and personalise hands");
   hand->require_subcommand(1);
   hand->footer("Example: tegata hand info\n");
   add_hand_info_command(*hand);
   add_hand_convert_command(*hand);
   add_hand_pose_command(*hand);
   add_hand_picture_command(*hand);
+  add_hand_personalise_command(*hand);
 }
 
 }  // namespace tegata

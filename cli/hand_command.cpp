@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "tegata/hand/built_in_hand.h"
+#include "tegata/hand/scaled_hand.h"
 
 namespace tegata {
 namespace {
@@ -74,8 +75,9 @@ HandPose pose_of_result(const AngleSource& source, const HandModel& hand) {
 }  // namespace
 
 void add_hand_source(CLI::App& command, HandSource& source) {
-  command.add_option("HAND", source.file,
-                     "A skinned hand (GLB, glTF) or a scanned one (TOML); else the built-in one");
+  command.add_option(
+      "HAND", source.file,
+      "A hand from a file (GLB, glTF, TOML); else the built-in one of the mean adult");
   command.add_option("--side", source.side, "Which hand; else the file's own, or the right one")
       ->check(CLI::IsMember({"right", "left"}));
   const std::string group = "The built-in hand's size";
@@ -131,11 +133,11 @@ void add_angle_source(CLI::App& command, AngleSource& source) {
 }
 
 HandModel load_hand(const HandSource& source, const AngleSource& angles) {
+  if (angles.result.empty()) return load_hand(source);
+  const Result result = read_result(angles);
   HandSource known = source;
-  if (source.file.empty() && source.side.empty() && !angles.result.empty()) {
-    known.side = side_name(read_result(angles).side);
-  }
-  return load_hand(known);
+  if (source.file.empty() && source.side.empty()) known.side = side_name(result.side);
+  return scaled(load_hand(known), result.model_scale);
 }
 
 HandPose pose_of(const AngleSource& source, const HandModel& hand) {

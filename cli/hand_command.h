@@ -20,6 +20,7 @@ void add_hand_info_command(CLI::App& hand);
 void add_hand_convert_command(CLI::App& hand);
 void add_hand_pose_command(CLI::App& hand);
 void add_hand_picture_command(CLI::App& hand);
+void add_hand_personalise_command(CLI::App& hand);
 
 /// Which hand a subcommand is about: a file, or the built-in hand in some size.
 struct HandSource {
@@ -37,7 +38,7 @@ struct AngleSource {
   std::vector<std::pair<int, double>> angles;  ///< which angle, value [rad]
 };
 void add_angle_source(CLI::App& command, AngleSource& source);
-/// The hand to bend: where nothing says which side, that of the result.
+/// The hand to bend: where nothing says which side, that of the result, and at its scale.
 HandModel load_hand(const HandSource& source, const AngleSource& angles);
 /// The pose of a hand; without a frame of a result it is in the hand's own frame. Throws Error
 /// where the result is one of the other hand or has no such frame.

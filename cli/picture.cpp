@@ -13,6 +13,7 @@
 
 #include "command.h"
 #include "progress.h"
+#include "tegata/hand/scaled_hand.h"
 #include "tegata/image/overlay.h"
 #include "tegata/pipeline/overlays.h"
 #include "tegata/take/picture_file.h"
@@ -159,7 +160,7 @@ std::vector<CameraImage> draw_rows(const std::vector<Overlay>& overlays, const C
 void run(const Arguments& arguments) {
   const Result result = read_result_json(std::filesystem::path(arguments.result) / "result.json");
   Take take = Take::open(arguments.take);
-  const HandModel hand = load_hand(arguments.hand_file, result.side);
+  const HandModel hand = scaled(load_hand(arguments.hand_file, result.side), result.model_scale);
   if (hand.name != result.model_name) {
     throw Error(arguments.result, ": was fitted with the hand '", result.model_name, "', got '",
                 hand.name, "'; give that hand's file with --hand");

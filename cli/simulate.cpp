@@ -88,9 +88,7 @@ void add_simulate_command(CLI::App& program) {
                    "the object's pixels unknown")
       ->check(CLI::IsMember({"infrared", "mask", "clean"}))
       ->capture_default_str();
-  command
-      ->add_option("--hand", arguments->hand,
-                   "right, left, or a hand's file: skinned (GLB, glTF) or scanned (TOML)")
+  command->add_option("--hand", arguments->hand, "right, left, or a hand's file (GLB, glTF, TOML)")
       ->capture_default_str();
   command->add_option("--side", arguments->side, "Which hand of a file; else the file's own")
       ->check(CLI::IsMember({"right", "left"}));

@@ -10,6 +10,7 @@
 
 #include "run_program.h"
 #include "tegata/take/calibration_file.h"
+#include "tegata/take/hand_shape_file.h"
 #include "tegata/take/result.h"
 #include "tegata/take/take_info.h"
 #include "tegata/take/test_folder.h"
@@ -60,6 +61,13 @@ TEST_F(FormatsDocument, CalibrationSnippetIsRead) {
   const CameraRig rig = read_calibration(file_of("toml", "[cam_0]"));
   EXPECT_EQ(rig.size(), 2u);
   EXPECT_EQ(rig[0].name, "left");
+}
+
+TEST_F(FormatsDocument, HandShapeSnippetIsRead) {
+  const HandShapeFile hand = read_hand_shape(file_of("toml", "format = \"tegata-hand-shape\""));
+  EXPECT_EQ(hand.name, "anna");
+  EXPECT_EQ(hand.parameters[0], 0.1748);
+  EXPECT_TRUE(hand.standard_deviations.has_value());
 }
 
 TEST_F(FormatsDocument, ResultSnippetIsRead) {

@@ -20,9 +20,11 @@ constexpr double kLeastNormalProduct = 0.5;
 
 class OutlineSum {
  public:
-  OutlineSum(const PosedHand& posed, const FitView& view, const ContourTermOptions& options,
-             double count, double scale, FrameEquations& equations)
+  OutlineSum(const PosedHand& posed, const ShapeMotion* shape, const FitView& view,
+             const ContourTermOptions& options, double count, double scale,
+             FrameEquations& equations)
       : posed_(posed),
+        shape_(shape),
         camera_(view.camera),
         sigma_{options.sigma * scale, options.violation_sigma * scale},
         precision_(options.weight / (count * options.standard_deviation *
@@ -36,11 +38,11 @@ class OutlineSum {
     const double metres_per_px = metres_per_pixel(point);
     const LorentzianKernel kernel(sigma_[is_violation ? 1 : 0]);
     const double distance = distance_px * metres_per_px;
-    const ParameterRow jacobian =
-        (metres_per_px * direction.transpose() * project_jacobian(camera_, point.point)) *
-        outline_jacobian(posed_, point);
-    equations_.add(gap_px * metres_per_px, jacobian, precision_ * kernel.weight(distance),
-                   precision_ * kernel.cost(distance));
+    const Eigen::RowVector3d along =
+        metres_per_px * direction.transpose() * project_jacobian(camera_, point.point);
+    equations_.add(gap_px * metres_per_px, along * outline_jacobian(posed_, point),
+                   precision_ * kernel.weight(distance), precision_ * kernel.cost(distance),
+                   outline_shape_row(shape_, point, along));
   }
   // A point without a counterpart costs what one at sigma costs, so that nothing is won by losing
   // it.
@@ -54,6 +56,7 @@ class OutlineSum {
   }
 
   const PosedHand& posed_;
+  const ShapeMotion* shape_;
   const Camera& camera_;
   double sigma_[2];
   double precision_;
@@ -114,14 +117,15 @@ void add_silhouette_to_outline(const std::vector<OutlinePoint>& outline, const F
 }  // namespace
 
 void add_contour_term(const FitHand& hand, const PosedHand& posed, const FitView& view,
-                      const ContourTermOptions& options, FrameEquations& equations) {
+                      const ContourTermOptions& options, FrameEquations& equations,
+                      const ShapeMotion* shape) {
   const std::vector<OutlinePoint> outline = hand_outline(hand, posed, view.camera);
   if (outline.empty() || view.contour.empty()) return;
-  OutlineSum outline_sum(posed, view, options, static_cast<double>(outline.size()), hand.scale,
-                         equations);
+  OutlineSum outline_sum(posed, shape, view, options, static_cast<double>(outline.size()),
+                         hand.scale, equations);
   add_outline_to_silhouette(outline, view, outline_sum);
-  OutlineSum contour_sum(posed, view, options, static_cast<double>(view.contour.size()), hand.scale,
-                         equations);
+  OutlineSum contour_sum(posed, shape, view, options, static_cast<double>(view.contour.size()),
+                         hand.scale, equations);
   add_silhouette_to_outline(outline, view, contour_sum);
 }
 

@@ -4,6 +4,7 @@
 
 #include "tegata/fit/fit_hand.h"
 #include "tegata/fit/normal_equations.h"
+#include "tegata/fit/shape_motion.h"
 #include "tegata/fit/view.h"
 #include "tegata/hand/hand_model.h"
 
@@ -23,8 +24,10 @@ struct ContourTermOptions {
 /// The outline in one picture, both ways: for each point of the hand's outline the distance to the
 /// nearest proven border of the silhouette, and for each point of the silhouette's contour the
 /// nearest outline point of the hand that faces the same way. Distances are taken into metres at
-/// the depth of the outline. Borders with unknown pixels and the forearm say nothing.
+/// the depth of the outline. Borders with unknown pixels and the forearm say nothing. With a
+/// `shape`, equations are by that as well.
 void add_contour_term(const FitHand& hand, const PosedHand& posed, const FitView& view,
-                      const ContourTermOptions& options, FrameEquations& equations);
+                      const ContourTermOptions& options, FrameEquations& equations,
+                      const ShapeMotion* shape = nullptr);
 
 }  // namespace tegata

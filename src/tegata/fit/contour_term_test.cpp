@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tegata/fit/test_scene.h"
+#include "tegata/hand/scaled_hand.h"
 #include "tegata/math/finite_difference.h"
 
 namespace tegata {
@@ -48,6 +49,33 @@ TEST(ContourTerm, GradientIsTheSlopeOfTheEnergy) {
   // Outlines change discretely with the pose, so the slope is taken over a step that averages that.
   const double slope = finite_difference_jacobian(energy, Eigen::VectorXd::Zero(1), 5e-4)(0, 0);
   EXPECT_NEAR(evaluate(hand, shifted, view).gradient[3], slope, 0.3 * std::abs(slope));
+}
+
+TEST(ContourTerm, GradientByTheScaleIsTheSlopeOfTheEnergy) {
+  const HandModel& hand = test::coarse_hand();
+  const HandPose pose = test::grasping_pose(0.2);
+  const FitView view = seen(hand, pose, test::orthogonal_rig(0.8)[0]);
+  const auto evaluate_at = [&](double at) {
+    const HandModel model = scaled(hand, at);
+    const PosedHand posed(model, pose);
+    const ScaleMotion motion(posed, at);
+    FitHand fit_hand(hand);
+    fit_hand.model = &model;
+    FrameEquations equations(1);
+    add_contour_term(fit_hand, posed, view, {.sigma = 0.01}, equations, &motion);
+    return equations;
+  };
+  const auto energy = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+    return Eigen::VectorXd::Constant(1, evaluate_at(x[0]).cost);
+  };
+  // Far from the truth outline points lose and find their borders as the scale changes.
+  for (const double scale : {0.99, 1.01}) {
+    const double slope =
+        finite_difference_jacobian(energy, Eigen::VectorXd::Constant(1, scale), 4e-3)(0, 0);
+    const double gradient = evaluate_at(scale).shape_gradient[0];
+    EXPECT_NEAR(gradient, slope, 0.4 * std::abs(slope)) << scale;
+    EXPECT_GT(gradient * (scale - 1.0), 0.0) << "back to the true scale is better";
+  }
 }
 
 TEST(ContourTerm, BordersWithUnknownPixelsPullNothing) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tegata/fit/test_scene.h"
+#include "tegata/hand/scaled_hand.h"
 
 namespace tegata {
 namespace {
@@ -24,7 +25,7 @@ TEST(FitHand, LeavesOutTheForearmAndNothingElse) {
 
 TEST(FitHand, ScaleFollowsTheSizeOfTheModel) {
   const HandModel& hand = test::coarse_hand();
-  const HandModel large = test::scaled(hand, 10.0);
+  const HandModel large = scaled(hand, 10.0);
   EXPECT_NEAR(FitHand(large).scale / FitHand(hand).scale, 10.0, 1e-9);
 }
 

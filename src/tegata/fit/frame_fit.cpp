@@ -51,6 +51,14 @@ FitSchedule grasp_schedule() {
   return {{contour_stage(0.006, 0.012, 15), contour_stage(0.0025, 0.008, 25)}};
 }
 
+FitSchedule scale_schedule() {
+  return {{contour_stage(0.016, 0.024, 20), contour_stage(0.008, 0.016, 20)}};
+}
+
+FitSchedule shape_schedule() {
+  return {{contour_stage(0.008, 0.016, 20), contour_stage(0.004, 0.01, 30)}};
+}
+
 FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& start,
                    const FitSchedule& schedule) {
   HandEstimate estimate{start.angles, {start.world_from_hand}};

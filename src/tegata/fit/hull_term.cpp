@@ -28,9 +28,10 @@ std::vector<Eigen::Vector3d> proven_vertices(const TriangleMesh& hull,
 // found as the closest.
 class PairSum {
  public:
-  PairSum(const PosedHand& posed, const HullTermOptions& options, double count, double scale,
-          FrameEquations& equations)
+  PairSum(const PosedHand& posed, const ShapeMotion* shape, const HullTermOptions& options,
+          double count, double scale, FrameEquations& equations)
       : posed_(posed),
+        shape_(shape),
         sigma_(options.sigma * scale),
         kernel_(sigma_),
         // The mean over the points, not their number, has a weight: a finer mesh knows no more.
@@ -41,7 +42,8 @@ class PairSum {
            const Eigen::Vector3d& normal) {
     const double distance = difference.norm();
     equations_.add(normal.dot(difference), normal.transpose() * posed_.vertex_jacobian(hand_vertex),
-                   precision_ * kernel_.weight(distance), precision_ * kernel_.cost(distance));
+                   precision_ * kernel_.weight(distance), precision_ * kernel_.cost(distance),
+                   shape_row(shape_, hand_vertex, normal.transpose()));
   }
   // A pair without a meaning costs what one at sigma costs, so that nothing is won by losing pairs.
   void add_unmatched() { equations_.cost += precision_ * kernel_.cost(sigma_); }
@@ -50,6 +52,7 @@ class PairSum {
   static double square(double x) { return x * x; }
 
   const PosedHand& posed_;
+  const ShapeMotion* shape_;
   double sigma_;
   LorentzianKernel kernel_;
   double precision_;
@@ -61,11 +64,13 @@ class PairSum {
 HullTarget::HullTarget(const TriangleMesh& hull) : nearest(proven_vertices(hull, normals)) {}
 
 void add_hull_term(const FitHand& hand, const PosedHand& posed, const HullTarget& hull,
-                   const HullTermOptions& options, FrameEquations& equations) {
+                   const HullTermOptions& options, FrameEquations& equations,
+                   const ShapeMotion* shape) {
   const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
   const std::vector<Eigen::Vector3d>& hull_vertices = hull.nearest.points();
 
-  PairSum towards_hull(posed, options, static_cast<double>(vertices.size()), hand.scale, equations);
+  PairSum towards_hull(posed, shape, options, static_cast<double>(vertices.size()), hand.scale,
+                       equations);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (hand.beyond_wrist[i] == 0) continue;
     const std::uint32_t match = hull.nearest.nearest(vertices[i]).index;
@@ -77,7 +82,7 @@ void add_hull_term(const FitHand& hand, const PosedHand& posed, const HullTarget
   }
 
   const NearestPoint nearest_vertex(vertices);
-  PairSum towards_hand(posed, options, static_cast<double>(hull_vertices.size()), hand.scale,
+  PairSum towards_hand(posed, shape, options, static_cast<double>(hull_vertices.size()), hand.scale,
                        equations);
   for (std::size_t i = 0; i < hull_vertices.size(); ++i) {
     const std::uint32_t match = nearest_vertex.nearest(hull_vertices[i]).index;

@@ -4,6 +4,7 @@
 
 #include "tegata/fit/fit_hand.h"
 #include "tegata/fit/normal_equations.h"
+#include "tegata/fit/shape_motion.h"
 #include "tegata/hand/hand_model.h"
 #include "tegata/mesh/closest_point.h"
 #include "tegata/mesh/triangle_mesh.h"
@@ -29,8 +30,10 @@ struct HullTermOptions {
 /// The surface of the hull, both ways: for each vertex of the hand the closest vertex of the hull
 /// (3DTM; the paper, IV-A) and for each vertex of the hull the closest one of the hand. The step
 /// takes the distance to the tangent plane, the Lorentzian weight the distance of the points. Pairs
-/// whose normals point apart are left out, as is the forearm.
+/// whose normals point apart are left out, as is the forearm. With a `shape`, equations are by that
+/// as well.
 void add_hull_term(const FitHand& hand, const PosedHand& posed, const HullTarget& hull,
-                   const HullTermOptions& options, FrameEquations& equations);
+                   const HullTermOptions& options, FrameEquations& equations,
+                   const ShapeMotion* shape = nullptr);
 
 }  // namespace tegata

@@ -6,6 +6,7 @@
 
 #include "tegata/base/error.h"
 #include "tegata/fit/test_scene.h"
+#include "tegata/hand/scaled_hand.h"
 
 namespace tegata {
 namespace {
@@ -44,6 +45,24 @@ TEST(HullTerm, UnprovenPartsAttractNothing) {
   FrameEquations equations;
   add_hull_term(FitHand(hand), posed, HullTarget(hull), {}, equations);
   EXPECT_LT(equations.gradient.norm(), 1e-9);
+}
+
+TEST(HullTerm, PullsTheScaleTowardsTheHull) {
+  const HandModel& hand = test::coarse_hand();
+  const HandPose pose = test::grasping_pose(0.0);
+  const HullTarget hull(PosedHand(hand, pose).surface());
+  for (const double scale : {0.97, 1.03}) {
+    const HandModel model = scaled(hand, scale);
+    const PosedHand posed(model, pose);
+    const ScaleMotion motion(posed, scale);
+    FrameEquations equations(1), without;
+    add_hull_term(FitHand(model), posed, hull, {}, equations, &motion);
+    add_hull_term(FitHand(model), posed, hull, {}, without);
+    EXPECT_GT(equations.shape_gradient[0] * (scale - 1.0), 0.0) << scale;
+    EXPECT_GT(equations.shape_hessian(0, 0), 0.0);
+    EXPECT_EQ(equations.gradient, without.gradient);
+    EXPECT_EQ(equations.cost, without.cost);
+  }
 }
 
 TEST(HullTarget, RefusesAHullWithoutProvenVerticesOrNormals) {

@@ -10,7 +10,7 @@ namespace {
 constexpr int kP = kPoseParameterCount;
 using PoseMatrix = Eigen::Matrix<double, kP, kP>;
 using PoseVector = Eigen::Matrix<double, kP, 1>;
-using CrossMatrix = Eigen::Matrix<double, kAngleCount, kP>;
+using PoseCross = Eigen::Matrix<double, Eigen::Dynamic, kP, 0, ArrowSystem::kMostShared, kP>;
 
 // Marquardt's damping scales with the diagonal; the floor keeps a parameter that nothing is known
 // of from making the matrix singular.
@@ -26,59 +26,84 @@ PoseMatrix pose_block(const FrameEquations& frame, double damping) {
   return damped(PoseMatrix(frame.hessian.topLeftCorner<kP, kP>()), damping);
 }
 
-CrossMatrix cross_block(const FrameEquations& frame) {
-  return frame.hessian.bottomLeftCorner<kAngleCount, kP>();
+PoseCross cross_block(const FrameEquations& frame) {
+  PoseCross cross(kAngleCount + frame.shape_cross.rows(), kP);
+  cross << frame.hessian.bottomLeftCorner<kAngleCount, kP>(), frame.shape_cross.leftCols<kP>();
+  return cross;
 }
 
 }  // namespace
 
+FrameEquations::FrameEquations(int shape_count)
+    : shape_hessian(Eigen::MatrixXd::Zero(shape_count, shape_count)),
+      shape_cross(decltype(shape_cross)::Zero(shape_count, kHandParameterCount)),
+      shape_gradient(Eigen::VectorXd::Zero(shape_count)) {}
+
 void FrameEquations::add(double residual, const ParameterRow& jacobian, double weight,
-                         double residual_cost) {
+                         double residual_cost, const ShapeRow& by_shape) {
   hessian.noalias() += (weight * jacobian.transpose()) * jacobian;
   gradient.noalias() += (weight * residual) * jacobian.transpose();
   cost += residual_cost;
+  if (by_shape.size() == 0) return;
+  shape_hessian.noalias() += (weight * by_shape.transpose()) * by_shape;
+  shape_cross.noalias() += (weight * by_shape.transpose()) * jacobian;
+  shape_gradient.noalias() += (weight * residual) * by_shape.transpose();
 }
 
 ArrowSystem::ArrowSystem(std::span<const FrameEquations> frames, const FrameEquations& prior)
-    : frames_(frames),
-      angle_hessian_(prior.hessian.bottomRightCorner<kAngleCount, kAngleCount>()),
-      angle_gradient_(prior.gradient.tail<kAngleCount>()) {
+    : frames_(frames) {
+  const Eigen::Index shape_count = frames.empty() ? 0 : frames.front().shape_gradient.size();
+  const Eigen::Index count = kAngleCount + shape_count;
+  shared_hessian_ = SharedMatrix::Zero(count, count);
+  shared_gradient_ = SharedVector::Zero(count);
+  shared_hessian_.topLeftCorner<kAngleCount, kAngleCount>() =
+      prior.hessian.bottomRightCorner<kAngleCount, kAngleCount>();
+  shared_gradient_.head<kAngleCount>() = prior.gradient.tail<kAngleCount>();
   for (const FrameEquations& frame : frames) {
-    angle_hessian_ += frame.hessian.bottomRightCorner<kAngleCount, kAngleCount>();
-    angle_gradient_ += frame.gradient.tail<kAngleCount>();
+    shared_hessian_.topLeftCorner<kAngleCount, kAngleCount>() +=
+        frame.hessian.bottomRightCorner<kAngleCount, kAngleCount>();
+    shared_gradient_.head<kAngleCount>() += frame.gradient.tail<kAngleCount>();
+    if (shape_count == 0) continue;
+    shared_hessian_.bottomLeftCorner(shape_count, kAngleCount) +=
+        frame.shape_cross.rightCols<kAngleCount>();
+    shared_hessian_.bottomRightCorner(shape_count, shape_count) += frame.shape_hessian;
+    shared_gradient_.tail(shape_count) += frame.shape_gradient;
   }
 }
 
-ArrowSystem::AngleMatrix ArrowSystem::reduced(double damping, JointAngles* right_side) const {
-  AngleMatrix matrix = damped(angle_hessian_, damping);
-  if (right_side != nullptr) *right_side = -angle_gradient_;
+ArrowSystem::Reduced ArrowSystem::reduced(double damping) const {
+  Reduced left{damped(shared_hessian_, damping), -shared_gradient_};
   for (const FrameEquations& frame : frames_) {
     const Eigen::LDLT<PoseMatrix> pose(pose_block(frame, damping));
-    const CrossMatrix cross = cross_block(frame);
-    matrix.noalias() -= cross * pose.solve(cross.transpose());
-    if (right_side != nullptr) {
-      right_side->noalias() += cross * pose.solve(PoseVector(frame.gradient.head<kP>()));
-    }
+    const PoseCross cross = cross_block(frame);
+    left.matrix.noalias() -= cross * pose.solve(cross.transpose());
+    left.right_side.noalias() += cross * pose.solve(PoseVector(frame.gradient.head<kP>()));
   }
-  return matrix;
+  return left;
 }
 
-ArrowStep ArrowSystem::solve(double damping) const {
+ArrowStep ArrowSystem::completed(const SharedVector& shared, double damping) const {
   ArrowStep step;
-  JointAngles right_side;
-  const AngleMatrix matrix = reduced(damping, &right_side);
-  step.angles = matrix.ldlt().solve(right_side);
+  step.angles = shared.head<kAngleCount>();
+  step.shape = shared.tail(shared.size() - kAngleCount);
   step.poses.reserve(frames_.size());
   for (const FrameEquations& frame : frames_) {
-    const PoseVector known =
-        -frame.gradient.head<kP>() - cross_block(frame).transpose() * step.angles;
+    const PoseVector known = -frame.gradient.head<kP>() - cross_block(frame).transpose() * shared;
     step.poses.push_back(pose_block(frame, damping).ldlt().solve(known));
   }
   return step;
 }
 
+ArrowStep ArrowSystem::solve(double damping) const {
+  const Reduced left = reduced(damping);
+  return completed(left.matrix.ldlt().solve(left.right_side), damping);
+}
+
 ArrowSystem::AngleMatrix ArrowSystem::angle_covariance() const {
-  return reduced(0.0, nullptr).ldlt().solve(AngleMatrix::Identity());
+  const SharedMatrix matrix = reduced(0.0).matrix;
+  const SharedMatrix inverse =
+      matrix.ldlt().solve(SharedMatrix::Identity(matrix.rows(), matrix.cols()));
+  return inverse.topLeftCorner<kAngleCount, kAngleCount>();
 }
 
 }  // namespace tegata

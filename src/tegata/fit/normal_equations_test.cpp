@@ -11,62 +11,82 @@
 namespace tegata {
 namespace {
 
-std::vector<FrameEquations> random_frames(std::size_t count) {
+std::vector<FrameEquations> random_frames(std::size_t count, int shape_count = 0) {
   Random random(5);
-  std::vector<FrameEquations> frames(count);
+  std::vector<FrameEquations> frames(count, FrameEquations(shape_count));
   for (FrameEquations& frame : frames) {
     for (int i = 0; i < 60; ++i) {
       ParameterRow row;
       for (int k = 0; k < kHandParameterCount; ++k) row[k] = random.normal();
+      ShapeRow shape(shape_count);
+      for (int k = 0; k < shape_count; ++k) shape[k] = random.normal();
       const double residual = random.normal();
-      frame.add(residual, row, random.uniform(0.1, 1.0), residual * residual);
+      frame.add(residual, row, random.uniform(0.1, 1.0), residual * residual, shape);
     }
   }
   return frames;
 }
 
-// The plain way: one dense matrix of all frames' poses and the shared angles.
-Eigen::MatrixXd dense_hessian(const std::vector<FrameEquations>& frames,
-                              Eigen::VectorXd& gradient) {
+/// The plain way: one dense matrix of all frames' poses, the shared angles and the shape.
+struct Dense {
+  Eigen::MatrixXd hessian;
+  Eigen::VectorXd gradient;
+};
+
+Dense dense_system(const std::vector<FrameEquations>& frames) {
+  const Eigen::Index shape_count = frames.front().shape_gradient.size();
   const Eigen::Index poses = kPoseParameterCount * static_cast<Eigen::Index>(frames.size());
-  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(poses + kAngleCount, poses + kAngleCount);
-  gradient = Eigen::VectorXd::Zero(poses + kAngleCount);
+  const Eigen::Index count = poses + kAngleCount + shape_count;
+  Dense dense{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
   for (std::size_t f = 0; f < frames.size(); ++f) {
-    std::vector<Eigen::Index> where;
-    for (int i = 0; i < kPoseParameterCount; ++i) {
-      where.push_back(kPoseParameterCount * static_cast<Eigen::Index>(f) + i);
-    }
-    for (int i = 0; i < kAngleCount; ++i) where.push_back(poses + i);
-    for (int i = 0; i < kHandParameterCount; ++i) {
-      gradient[where[static_cast<std::size_t>(i)]] += frames[f].gradient[i];
-      for (int j = 0; j < kHandParameterCount; ++j) {
-        hessian(where[static_cast<std::size_t>(i)], where[static_cast<std::size_t>(j)]) +=
-            frames[f].hessian(i, j);
+    const FrameEquations& frame = frames[f];
+    Eigen::MatrixXd hessian(kHandParameterCount + shape_count, kHandParameterCount + shape_count);
+    hessian << frame.hessian, frame.shape_cross.transpose(), frame.shape_cross, frame.shape_hessian;
+    Eigen::VectorXd gradient(kHandParameterCount + shape_count);
+    gradient << frame.gradient, frame.shape_gradient;
+    const auto where = [&](Eigen::Index i) {
+      const Eigen::Index first = kPoseParameterCount * static_cast<Eigen::Index>(f);
+      return i < kPoseParameterCount ? first + i : poses + i - kPoseParameterCount;
+    };
+    for (Eigen::Index i = 0; i < gradient.size(); ++i) {
+      dense.gradient[where(i)] += gradient[i];
+      for (Eigen::Index j = 0; j < gradient.size(); ++j) {
+        dense.hessian(where(i), where(j)) += hessian(i, j);
       }
     }
   }
-  return hessian;
+  return dense;
 }
 
-TEST(ArrowSystem, EliminationAgreesWithTheDenseSolution) {
-  const std::vector<FrameEquations> frames = random_frames(4);
+void expect_dense_solution(const std::vector<FrameEquations>& frames) {
   const double damping = 0.01;
-  Eigen::VectorXd gradient;
-  Eigen::MatrixXd hessian = dense_hessian(frames, gradient);
-  const Eigen::MatrixXd inverse = hessian.inverse();
-  hessian.diagonal() *= 1.0 + damping;
-  const Eigen::VectorXd expected = hessian.ldlt().solve(-gradient);
+  Dense dense = dense_system(frames);
+  const Eigen::Index shape_count = frames.front().shape_gradient.size();
+  const Eigen::Index angles = dense.gradient.size() - kAngleCount - shape_count;
+  const Eigen::MatrixXd inverse = dense.hessian.inverse();
+  dense.hessian.diagonal() *= 1.0 + damping;
+  const Eigen::VectorXd expected = dense.hessian.ldlt().solve(-dense.gradient);
 
   const ArrowSystem system(frames, FrameEquations{});
   const ArrowStep step = system.solve(damping);
-  EXPECT_LT((step.angles - expected.tail<kAngleCount>()).norm(), 1e-8);
+  EXPECT_LT((step.angles - expected.segment<kAngleCount>(angles)).norm(), 1e-8);
+  EXPECT_LT((step.shape - expected.tail(shape_count)).norm(), 1e-8);
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const auto block =
         expected.segment<kPoseParameterCount>(kPoseParameterCount * static_cast<Eigen::Index>(f));
     EXPECT_LT((step.poses[f] - block).norm(), 1e-8);
   }
-  const Eigen::MatrixXd covariance = inverse.bottomRightCorner<kAngleCount, kAngleCount>();
+  const Eigen::MatrixXd covariance = inverse.block<kAngleCount, kAngleCount>(angles, angles);
   EXPECT_LT((system.angle_covariance() - covariance).norm(), 1e-8 * covariance.norm() + 1e-9);
+}
+
+TEST(ArrowSystem, EliminationAgreesWithTheDenseSolution) {
+  expect_dense_solution(random_frames(4));
+}
+
+TEST(ArrowSystem, EliminationAgreesWithTheDenseSolutionWithAShape) {
+  expect_dense_solution(random_frames(4, 1));
+  expect_dense_solution(random_frames(4, kShapeParameterCount));
 }
 
 TEST(ArrowSystem, AParameterThatNothingIsKnownOfStaysWhereItIs) {

@@ -64,4 +64,11 @@ PointJacobian outline_jacobian(const PosedHand& posed, const OutlinePoint& point
          point.fraction * posed.vertex_jacobian(point.b);
 }
 
+ShapeRow outline_shape_row(const ShapeMotion* shape, const OutlinePoint& point,
+                           const Eigen::RowVector3d& along) {
+  if (shape == nullptr) return {};
+  return (1.0 - point.fraction) * shape->row(point.a, along) +
+         point.fraction * shape->row(point.b, along);
+}
+
 }  // namespace tegata

@@ -8,6 +8,7 @@
 
 #include "tegata/camera/camera.h"
 #include "tegata/fit/fit_hand.h"
+#include "tegata/fit/shape_motion.h"
 #include "tegata/hand/hand_model.h"
 
 namespace tegata {
@@ -32,5 +33,8 @@ std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& pos
 
 /// d point / d parameters.
 PointJacobian outline_jacobian(const PosedHand& posed, const OutlinePoint& point);
+/// d (along . point) / d shape; empty without a shape.
+ShapeRow outline_shape_row(const ShapeMotion* shape, const OutlinePoint& point,
+                           const Eigen::RowVector3d& along);
 
 }  // namespace tegata

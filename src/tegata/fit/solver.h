@@ -4,10 +4,10 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "tegata/fit/contour_term.h"
+#include "tegata/fit/descent.h"
 #include "tegata/fit/fit_frame.h"
 #include "tegata/fit/fit_hand.h"
 #include "tegata/fit/hull_term.h"
@@ -34,13 +34,6 @@ struct FitStage {
   int most_iterations = 20;
 };
 
-enum class Termination {
-  converged,    ///< the last step was below the tolerances
-  no_progress,  ///< no step of any length lowered the energy
-  iteration_limit,
-};
-std::string_view termination_name(Termination termination);
-
 struct SolverReport {
   int iterations = 0;
   double energy = 0.0;                 ///< at the end, of the stage's terms
@@ -50,7 +43,23 @@ struct SolverReport {
   ArrowSystem::AngleMatrix angle_covariance = ArrowSystem::AngleMatrix::Zero();
 };
 
-/// Minimises the energy of all frames by damped Gauss-Newton steps (Levenberg 1944, Marquardt 1963)
+/// The terms of one frame with the hand in a pose there. With a `shape`, equations are by that as
+/// well, but for those of the landmarks.
+void add_frame_terms(const FitHand& hand, const PosedHand& posed, const FitFrame& frame,
+                     const FitStage& stage, FrameEquations& equations,
+                     const ShapeMotion* shape = nullptr);
+
+/// Steps and estimates of frames with one set of angles, for descend() (descent.h).
+/// The longest turn of a step [rad].
+double longest_turn(const ArrowStep& step);
+/// Beyond this turn closest points mislead [rad].
+inline constexpr double kLongestTurn = 0.35;
+ArrowStep shortened(ArrowStep step, double factor);
+/// Whether a step is no change for a hand of this FitHand::scale.
+bool is_negligible(const ArrowStep& step, double scale);
+HandEstimate advanced(const HandEstimate& estimate, const ArrowStep& step);
+
+/// Minimises the energy of all frames by damped Gauss-Newton steps (descent.h)
 /// over all poses and the shared angles at once, in place. Closest points and outlines are found
 /// anew at every step. Every frame is a column of the arrow-shaped system; with one frame this is
 /// the fit of a single frame. Frames without any evidence keep their pose.

@@ -6,6 +6,7 @@
 
 #include "tegata/fit/frame_fit.h"
 #include "tegata/fit/test_scene.h"
+#include "tegata/hand/scaled_hand.h"
 
 namespace tegata {
 namespace {
@@ -30,7 +31,7 @@ TEST(Solver, ReturnsToTheTruthFromNearby) {
 
 TEST(Solver, ASceneTenTimesAsLargeHasTheSameAnswer) {
   const HandModel& hand = test::coarse_hand();
-  const HandModel large = test::scaled(hand, 10.0);
+  const HandModel large = scaled(hand, 10.0);
   const HandPose truth = test::grasping_pose(0.3), large_truth = test::grasping_pose(0.3, 10.0);
   const FitSchedule schedule{{hull_first_schedule().stages.back()}};
   const FrameFit fit =

@@ -22,13 +22,6 @@ inline const HandModel& coarse_hand() {
   return hand;
 }
 
-/// The same hand with every length multiplied.
-inline HandModel scaled(HandModel hand, double factor) {
-  for (Eigen::Vector3d& keypoint : hand.skeleton.keypoints) keypoint *= factor;
-  for (Eigen::Vector3d& vertex : hand.rest_surface.vertices) vertex *= factor;
-  return hand;
-}
-
 /// A half-closed hand; `turn` about the world's z axis [rad].
 inline HandPose grasping_pose(double turn, double scale = 1.0) {
   HandPose pose;

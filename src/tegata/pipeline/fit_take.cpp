@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/pipeline/fit_take.h"
 
-#include <algorithm>
+#include <functional>
 #include <numeric>
-#include <utility>
 
 #include "tegata/base/error.h"
 #include "tegata/fit/support.h"
-#include "tegata/pipeline/prepare_frame.h"
+#include "tegata/hand/scaled_hand.h"
+#include "tegata/pipeline/size_hand.h"
 
 namespace tegata {
 namespace {
@@ -16,40 +16,6 @@ namespace {
 // Below this mean overlap of a frame's silhouettes the pose is given, but not called ok. The object
 // eats up to half of a hand's silhouette in infrared.
 constexpr double kLeastOverlap = 0.5;
-
-std::vector<PreparedFrame> prepare_frames(Take& take, const std::vector<std::size_t>& indices,
-                                          SegmentationMethod method, const FitTakeOptions& options,
-                                          const Observer& observer) {
-  std::vector<PreparedFrame> prepared(indices.size());
-  for_each_frame(take, indices, options.threads,
-                 {.work =
-                      [&](std::size_t i, const TakeFrame& pictures) {
-                        prepared[i] = prepare_frame(take, pictures, method, options.hull);
-                      },
-                  .finish =
-                      [&](std::size_t i) {
-                        const PreparedFrame& frame = prepared[i];
-                        for (const std::string& note : frame.notes) observer.warn(note);
-                        if (!frame.refusal.empty()) {
-                          observer.warn(text("frame ", frame.name, ": ", frame.refusal));
-                        } else if (options.on_hull) {
-                          options.on_hull(frame.name, frame.hull);
-                        }
-                      }},
-                 observer);
-  return prepared;
-}
-
-std::optional<StartLandmarks> start_landmarks(const Take& take, bool from_first_frame,
-                                              const Observer& observer) {
-  if (!take.info().initial_landmarks) return std::nullopt;
-  if (!from_first_frame) {
-    observer.warn("[initial_pose] is of the take's first frame, which is not fitted: not used");
-    return std::nullopt;
-  }
-  const InitialLandmarks& landmarks = *take.info().initial_landmarks;
-  return StartLandmarks{landmarks.wrist, landmarks.index_mcp, landmarks.little_mcp};
-}
 
 ResultFrame describe_frame(const FitHand& hand, const HandPose& pose,
                            const PreparedFrame& prepared) {
@@ -83,31 +49,22 @@ double sum_of(const std::vector<PreparedFrame>& frames, double PreparedFrame::*s
 Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& options,
                 const Observer& observer) {
   check_hand(hand_model);
-  const std::vector<std::size_t> indices = selected_frames(options.frames, take);
-  const SegmentationMethod method =
-      options.segmentation ? *options.segmentation : choose_segmentation(take, observer);
-  std::vector<PreparedFrame> prepared = prepare_frames(take, indices, method, options, observer);
-
-  std::vector<const FitFrame*> frames;
-  std::vector<std::size_t> usable;
-  for (std::size_t i = 0; i < prepared.size(); ++i) {
-    if (prepared[i].refusal.empty()) usable.push_back(i);
-  }
-  if (usable.empty()) {
-    throw Error(take.folder().string(), ": none of ", prepared.size(),
-                " frames can be fitted; the first, ", prepared.front().name, ": ",
-                prepared.front().refusal);
-  }
-  for (const std::size_t i : usable) frames.push_back(&prepared[i].frame);
-
-  const FitHand hand(hand_model);
+  const PreparedTake prepared = prepare_take(take, options, observer);
+  const std::vector<const FitFrame*> frames = prepared.fit_frames();
   GraspFitOptions fit_options = options.fit;
   fit_options.threads = options.threads;
-  PreparedFrame& first = prepared[usable.front()];
-  first.frame.landmarks = start_landmarks(take, indices[usable.front()] == 0, observer);
+  Result result;
+  result.model_scale = options.scale.value_or(1.0);
+  if (!options.scale) {
+    const SizedHand sized = size_hand(hand_model, {&prepared, 1}, fit_options, observer);
+    result.model_scale = sized.scale.scale;
+    result.model_scale_standard_deviation = sized.scale.standard_deviation;
+    result.seconds["scale"] = sized.seconds;
+  }
+  const HandModel fitted_model = scaled(hand_model, result.model_scale);
+  const FitHand hand(fitted_model);
   const GraspFit grasp = fit_grasp(hand, frames, fit_options, observer);
 
-  Result result;
   result.take = take.info().name;
   result.side = hand_model.skeleton.side;
   result.model_name = hand_model.name;
@@ -115,19 +72,20 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   result.grasp_standard_deviations = grasp.standard_deviations;
   result.iterations = grasp.iterations;
   result.termination = termination_name(grasp.termination);
-  for (std::size_t i = 0, next = 0; i < prepared.size(); ++i) {
-    if (prepared[i].refusal.empty()) {
-      result.frames.push_back(describe_frame(hand, grasp.poses[next++], prepared[i]));
+  std::size_t next = 0;
+  for (const PreparedFrame& from : prepared.frames) {
+    if (from.refusal.empty()) {
+      result.frames.push_back(describe_frame(hand, grasp.poses[next++], from));
     } else {
       ResultFrame frame;
-      frame.name = prepared[i].name;
-      frame.time = prepared[i].time;
-      frame.status = prepared[i].refusal;
+      frame.name = from.name;
+      frame.time = from.time;
+      frame.status = from.refusal;
       result.frames.push_back(frame);
     }
   }
-  result.seconds["segment"] = sum_of(prepared, &PreparedFrame::segment_seconds);
-  result.seconds["hull"] = sum_of(prepared, &PreparedFrame::hull_seconds);
+  result.seconds["segment"] = sum_of(prepared.frames, &PreparedFrame::segment_seconds);
+  result.seconds["hull"] = sum_of(prepared.frames, &PreparedFrame::hull_seconds);
   result.seconds["frames"] = grasp.frame_seconds;
   result.seconds["all_frames"] = grasp.all_frames_seconds;
   return result;

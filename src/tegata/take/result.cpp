@@ -101,6 +101,20 @@ ResultFrame frame_from_json(const JsonValue& entry) {
   return frame;
 }
 
+void read_model(const JsonValue& model, Result& result) {
+  result.model_name = model.at("name").string();
+  result.model_shape = numbers_by_name(model.at("shape"));
+  if (model.has("scale")) {
+    result.model_scale = model.at("scale").number();
+    if (!(result.model_scale > 0.0)) {
+      model.at("scale").fail(text(result.model_scale), "a number above 0");
+    }
+  }
+  if (model.has("scale_standard_deviation")) {
+    result.model_scale_standard_deviation = model.at("scale_standard_deviation").number();
+  }
+}
+
 // Another order of the names would mean other numbers.
 void expect_names(const JsonValue& list, std::span<const std::string_view> names) {
   if (list.size() != names.size()) {
@@ -150,7 +164,11 @@ void write_result_json(const Result& result, const std::filesystem::path& file) 
   root["units"] = {{"length", "m"}, {"angle", "rad"}};
   root["joint_names"] = angle_names();
   root["keypoint_names"] = keypoint_names();
-  root["model"] = {{"name", result.model_name}, {"shape", result.model_shape}};
+  root["model"] = {
+      {"name", result.model_name}, {"shape", result.model_shape}, {"scale", result.model_scale}};
+  if (result.model_scale_standard_deviation) {
+    root["model"]["scale_standard_deviation"] = *result.model_scale_standard_deviation;
+  }
   root["grasp"] = {{"angles", angles_to_json(result.grasp_angles)},
                    {"standard_deviations", angles_to_json(result.grasp_standard_deviations)}};
   root["frames"] = ordered_json::array();
@@ -171,8 +189,7 @@ Result read_result_json(const std::filesystem::path& file) {
   Result result;
   result.take = root.at("take").string();
   result.side = side_from_json(root.at("hand"));
-  result.model_name = root.at("model").at("name").string();
-  result.model_shape = numbers_by_name(root.at("model").at("shape"));
+  read_model(root.at("model"), result);
   result.grasp_angles = angles_from_json(root.at("grasp").at("angles"));
   result.grasp_standard_deviations = angles_from_json(root.at("grasp").at("standard_deviations"));
   const JsonValue frames = root.at("frames");

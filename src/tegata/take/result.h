@@ -34,6 +34,8 @@ struct Result {
   Side side = Side::right;
   std::string model_name;
   std::map<std::string, double> model_shape;
+  double model_scale = 1.0;                                     ///< of the hand that was asked for
+  std::optional<double> model_scale_standard_deviation;         ///< where it was estimated
   JointAngles grasp_angles = JointAngles::Zero();               ///< [rad]
   JointAngles grasp_standard_deviations = JointAngles::Zero();  ///< [rad]
   std::vector<ResultFrame> frames;

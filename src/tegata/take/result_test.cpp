@@ -24,6 +24,8 @@ Result some_result() {
   result.side = Side::left;
   result.model_name = "built-in";
   result.model_shape = {{"length", 1.0 / 3.0}};
+  result.model_scale = 1.0 / 1.1;
+  result.model_scale_standard_deviation = 1.0 / 70.0;
   result.iterations = 12;
   result.termination = "converged";
   result.seconds = {{"hull", 0.25}, {"fit", 1.5}};
@@ -77,6 +79,8 @@ TEST(Result, ReadsBackTheSameToTheBit) {
   EXPECT_EQ(back.side, result.side);
   EXPECT_EQ(back.model_name, result.model_name);
   EXPECT_EQ(back.model_shape, result.model_shape);
+  EXPECT_EQ(back.model_scale, result.model_scale);
+  EXPECT_EQ(back.model_scale_standard_deviation, result.model_scale_standard_deviation);
   EXPECT_EQ(back.grasp_angles, result.grasp_angles);
   EXPECT_EQ(back.grasp_standard_deviations, result.grasp_standard_deviations);
   EXPECT_EQ(back.iterations, result.iterations);

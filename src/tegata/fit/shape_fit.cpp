@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/shape_fit.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "tegata/base/error.h"
+#include "tegata/base/parallel.h"
+#include "tegata/fit/shape_system.h"
+#include "tegata/hand/scaled_hand.h"
+
+namespace tegata {
+namespace {
+
+// Residuals are not independent of each other, from point to point and from frame to frame: the
+// pictures' precision is divided by the square of this before it meets the prior's.
+constexpr double kDeviationScale = 4.0;
+// Largest change of the shape that is none, in the prior's deviations.
+constexpr double kShapeTolerance = 2e-3;
+
+/// What is known of shape parameters before any picture.
+struct Prior {
+  Eigen::VectorXd mean, deviation, lower, upper;
+};
+
+/// The hand at a value of the shape that is sought.
+class TrialHand {
+ public:
+  virtual ~TrialHand() = default;
+  const HandModel& model() const { return model_; }
+  virtual std::unique_ptr<ShapeMotion> motion(const PosedHand& posed) const = 0;
+
+ protected:
+  explicit TrialHand(HandModel model) : model_(std::move(model)) {}
+
+ private:
+  HandModel model_;
+};
+
+/// The shape that is sought: what it does to a hand, and its prior.
+class SoughtShape {
+ public:
+  virtual ~SoughtShape() = default;
+  virtual std::unique_ptr<TrialHand> at(const Eigen::VectorXd& shape) const = 0;
+  const Prior& prior() const { return prior_; }
+
+ protected:
+  explicit SoughtShape(Prior prior) : prior_(std::move(prior)) {}
+
+ private:
+  Prior prior_;
+};
+
+class SoughtScale : public SoughtShape {
+ public:
+  SoughtScale(const HandModel& hand, double deviation)
+      : SoughtShape({Eigen::VectorXd::Constant(1, 1.0), Eigen::VectorXd::Constant(1, deviation),
+                     Eigen::VectorXd::Constant(1, 0.6), Eigen::VectorXd::Constant(1, 1.6)}),
+        hand_(&hand) {}
+
+  std::unique_ptr<TrialHand> at(const Eigen::VectorXd& shape) const override {
+    return std::make_unique<Trial>(*hand_, shape[0]);
+  }
+
+ private:
+  class Trial : public TrialHand {
+   public:
+    Trial(const HandModel& hand, double scale) : TrialHand(scaled(hand, scale)), scale_(scale) {}
+    std::unique_ptr<ShapeMotion> motion(const PosedHand& posed) const override {
+      return std::make_unique<ScaleMotion>(posed, scale_);
+    }
+
+   private:
+    double scale_;
+  };
+  const HandModel* hand_;
+};
+
+class SoughtParameters : public SoughtShape {
+ public:
+  explicit SoughtParameters(const ShapedHand& hand)
+      : SoughtShape({shape_prior().mean, shape_prior().deviation, shape_prior().lower,
+                     shape_prior().upper}),
+        hand_(&hand) {}
+
+  std::unique_ptr<TrialHand> at(const Eigen::VectorXd& shape) const override {
+    return std::make_unique<Trial>(*hand_, shape);
+  }
+
+ private:
+  class Trial : public TrialHand {
+   public:
+    Trial(const ShapedHand& hand, const ShapeParameters& parameters)
+        : TrialHand(hand.model(shape_from_parameters(parameters))),
+          basis_(hand.basis(parameters)) {}
+    std::unique_ptr<ShapeMotion> motion(const PosedHand& posed) const override {
+      return std::make_unique<ParameterMotion>(model(), basis_, posed.pose());
+    }
+
+   private:
+    ShapeBasis basis_;
+  };
+  const ShapedHand* hand_;
+};
+
+struct Estimate {
+  std::vector<HandEstimate> grasps;
+  Eigen::VectorXd shape;
+};
+
+struct Linearisation {
+  std::vector<GraspEquations> grasps;
+  Eigen::VectorXd prior_precision, prior_gradient;
+  double prior_cost = 0.0;
+
+  double energy() const {
+    double sum = prior_cost;
+    for (const GraspEquations& grasp : grasps) {
+      sum += grasp.prior.cost;
+      for (const FrameEquations& frame : grasp.frames) sum += frame.cost;
+    }
+    return sum;
+  }
+  ShapeSystem system() const { return {grasps, prior_precision, prior_gradient}; }
+};
+
+/// What descend() asks for. The lengths of the options go with the hand at the start, so that
+/// nothing is won by growing.
+class Problem {
+ public:
+  Problem(const SoughtShape& sought, const FitHand& start, std::span<const GraspFrames> grasps,
+          const FitStage& stage, int threads)
+      : sought_(&sought), start_(&start), grasps_(grasps), stage_(&stage), threads_(threads) {
+    for (std::size_t g = 0; g < grasps.size(); ++g) {
+      for (std::size_t f = 0; f < grasps[g].frames.size(); ++f) all_frames_.emplace_back(g, f);
+    }
+  }
+
+  Linearisation linearise(const Estimate& estimate) const {
+    const std::unique_ptr<TrialHand> trial = sought_->at(estimate.shape);
+    FitHand hand = *start_;
+    hand.model = &trial->model();
+    const FrameEquations nothing(static_cast<int>(estimate.shape.size()));
+    Linearisation result;
+    for (std::size_t g = 0; g < grasps_.size(); ++g) {
+      GraspEquations& grasp = result.grasps.emplace_back();
+      grasp.frames.assign(grasps_[g].frames.size(), nothing);
+      add_prior_term(estimate.grasps[g].angles, stage_->prior, grasp.prior);
+    }
+    parallel_for(all_frames_.size(), threads_, [&](std::size_t i) {
+      const auto [g, f] = all_frames_[i];
+      const PosedHand posed(*hand.model, estimate.grasps[g].pose(f));
+      const std::unique_ptr<ShapeMotion> motion = trial->motion(posed);
+      add_frame_terms(hand, posed, *grasps_[g].frames[f], *stage_, result.grasps[g].frames[f],
+                      motion.get());
+    });
+    add_shape_prior(estimate.shape, result);
+    return result;
+  }
+
+  ShapeStep step(const Linearisation& at, double damping) const {
+    ShapeStep step = at.system().solve(damping);
+    double turn = 0.0;
+    for (const ArrowStep& grasp : step.grasps) turn = std::max(turn, longest_turn(grasp));
+    if (turn > kLongestTurn) {
+      const double factor = kLongestTurn / turn;
+      step.shape *= factor;
+      for (ArrowStep& grasp : step.grasps) grasp = shortened(std::move(grasp), factor);
+    }
+    return step;
+  }
+
+  bool is_negligible(const ShapeStep& step) const {
+    return (step.shape.cwiseAbs().array() <= kShapeTolerance * sought_->prior().deviation.array())
+               .all() &&
+           std::all_of(step.grasps.begin(), step.grasps.end(), [&](const ArrowStep& grasp) {
+             return tegata::is_negligible(grasp, start_->scale);
+           });
+  }
+
+  Estimate advanced(const Estimate& estimate, const ShapeStep& step) const {
+    Estimate next = estimate;
+    for (std::size_t g = 0; g < next.grasps.size(); ++g) {
+      next.grasps[g] = tegata::advanced(estimate.grasps[g], step.grasps[g]);
+    }
+    next.shape = (estimate.shape + step.shape)
+                     .cwiseMax(sought_->prior().lower)
+                     .cwiseMin(sought_->prior().upper);
+    return next;
+  }
+
+ private:
+  void add_shape_prior(const Eigen::VectorXd& shape, Linearisation& result) const {
+    const Prior& prior = sought_->prior();
+    const Eigen::VectorXd off = shape - prior.mean;
+    result.prior_precision = (kDeviationScale * prior.deviation.cwiseInverse()).cwiseAbs2();
+    result.prior_gradient = result.prior_precision.cwiseProduct(off);
+    result.prior_cost = 0.5 * off.dot(result.prior_gradient);
+  }
+
+  const SoughtShape* sought_;
+  const FitHand* start_;
+  std::span<const GraspFrames> grasps_;
+  const FitStage* stage_;
+  int threads_;
+  std::vector<std::pair<std::size_t, std::size_t>> all_frames_;
+};
+
+struct Found {
+  Eigen::VectorXd shape, standard_deviations;
+  Descent descent;
+};
+
+Found minimise_all(const SoughtShape& sought, const Eigen::VectorXd& start,
+                   const FitSchedule& schedule, int threads, std::span<GraspFrames> grasps) {
+  Estimate estimate;
+  std::size_t frame_count = 0;
+  for (const GraspFrames& grasp : grasps) {
+    estimate.grasps.push_back(grasp.estimate);
+    frame_count += grasp.frames.size();
+  }
+  if (frame_count == 0) throw Error("shape fit: got no frame, expected at least one");
+  estimate.shape = start;
+  const std::unique_ptr<TrialHand> first = sought.at(start);
+  const FitHand hand(first->model());
+  Found found;
+  for (const FitStage& stage : schedule.stages) {
+    const Problem problem(sought, hand, grasps, stage, threads);
+    Linearisation current = problem.linearise(estimate);
+    const Descent descent = descend(problem, stage.most_iterations, estimate, current);
+    found.descent = {found.descent.iterations + descent.iterations, descent.termination};
+    found.standard_deviations =
+        kDeviationScale * current.system().covariance().diagonal().cwiseMax(0.0).cwiseSqrt();
+  }
+  for (std::size_t g = 0; g < grasps.size(); ++g) grasps[g].estimate = estimate.grasps[g];
+  found.shape = estimate.shape;
+  return found;
+}
+
+}  // namespace
+
+ScaleFit fit_scale(const HandModel& hand, double start, std::span<GraspFrames> grasps,
+                   const ShapeFitOptions& options) {
+  const SoughtScale sought(hand, options.scale_deviation);
+  const Found found = minimise_all(sought, Eigen::VectorXd::Constant(1, start), options.scale,
+                                   options.threads, grasps);
+  return {found.shape[0], found.standard_deviations[0], found.descent.iterations,
+          found.descent.termination};
+}
+
+ShapeFit fit_shape(const ShapedHand& hand, const ShapeParameters& start,
+                   std::span<GraspFrames> grasps, const ShapeFitOptions& options) {
+  const SoughtParameters sought(hand);
+  const Found found = minimise_all(sought, start, options.shape, options.threads, grasps);
+  return {found.shape, found.standard_deviations, found.descent.iterations,
+          found.descent.termination};
+}
+
+}  // namespace tegata

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/pipeline/personalise.h"
+
+#include "tegata/base/error.h"
+#include "tegata/base/stopwatch.h"
+#include "tegata/pipeline/size_hand.h"
+
+namespace tegata {
+
+PersonalHand personalise(std::span<Take> takes, Side side, const PersonaliseOptions& options,
+                         const Observer& observer) {
+  if (takes.empty()) throw Error("personalise: got no take, expected at least one");
+  const Stopwatch stopwatch;
+  PersonalHand person;
+  std::vector<PreparedTake> prepared;
+  for (Take& take : takes) {
+    prepared.push_back(prepare_take(take, options, observer));
+    person.frame_count += prepared.back().usable.size();
+  }
+  const ShapedHand shapes(side);
+  GraspFitOptions fit_options = options.fit;
+  fit_options.threads = options.threads;
+  SizedHand sized = size_hand(shapes.model(HandShape()), prepared, fit_options, observer);
+  person.scale = sized.scale;
+  observer.progress("shape", 0, 1);
+  ShapeFitOptions shape_options;
+  shape_options.threads = options.threads;
+  ShapeParameters start = shape_prior().mean;
+  start[0] *= sized.scale.scale;
+  person.fit = fit_shape(shapes, start, sized.grasps, shape_options);
+  observer.progress("shape", 1, 1);
+  person.seconds = stopwatch.seconds();
+  return person;
+}
+
+}  // namespace tegata
