@@ -44,7 +44,8 @@ TEST(ShapeParameters, PriorsLimitsAreHandsAndHoldTheirMean) {
     for (const double value : {prior.lower[i], prior.upper[i]}) {
       ShapeParameters parameters = prior.mean;
       parameters[i] = value;
-      EXPECT_NO_THROW(check_shape(shape_from_parameters(parameters))) << shape_parameter_names()[i];
+      EXPECT_NO_THROW(check_shape(shape_from_parameters(parameters)))
+          << shape_parameter_names()[static_cast<std::size_t>(i)];
     }
   }
 }
