@@ -83,7 +83,7 @@ SkinRows::SkinRows(const HandModel& model) {
   blocks_.resize(block_count);
   first_row_.resize(sets.size());
   for (std::size_t vertex = 0; vertex < sets.size(); ++vertex) {
-    const bool is_shared = std::popcount(sets[vertex]) > 1;
+    const bool is_shared = !std::has_single_bit(sets[vertex]);
     if (is_shared) shared_.push_back({static_cast<std::uint32_t>(vertex), {}});
     bool is_first = true;
     for (PartSet left = sets[vertex]; left != 0; left &= left - 1) {
