@@ -126,13 +126,13 @@ struct Linearisation {
   ShapeSystem system() const { return {grasps, prior_precision, prior_gradient}; }
 };
 
-/// What descend() asks for. The lengths of the options go with the hand at the start, so that
-/// nothing is won by growing.
+/// What descend() asks for. The lengths of the options go with the prior's hand, so that nothing is
+/// won by growing.
 class Problem {
  public:
-  Problem(const SoughtShape& sought, const FitHand& start, std::span<const GraspFrames> grasps,
+  Problem(const SoughtShape& sought, const FitHand& mean, std::span<const GraspFrames> grasps,
           const FitStage& stage, int threads)
-      : sought_(&sought), start_(&start), grasps_(grasps), stage_(&stage), threads_(threads) {
+      : sought_(&sought), mean_(&mean), grasps_(grasps), stage_(&stage), threads_(threads) {
     for (std::size_t g = 0; g < grasps.size(); ++g) {
       for (std::size_t f = 0; f < grasps[g].frames.size(); ++f) all_frames_.emplace_back(g, f);
     }
@@ -140,7 +140,7 @@ class Problem {
 
   Linearisation linearise(const Estimate& estimate) const {
     const std::unique_ptr<TrialHand> trial = sought_->at(estimate.shape);
-    FitHand hand = *start_;
+    FitHand hand = *mean_;
     hand.model = &trial->model();
     const FrameEquations nothing(static_cast<int>(estimate.shape.size()));
     Linearisation result;
@@ -176,7 +176,7 @@ class Problem {
     return (step.shape.cwiseAbs().array() <= kShapeTolerance * sought_->prior().deviation.array())
                .all() &&
            std::all_of(step.grasps.begin(), step.grasps.end(), [&](const ArrowStep& grasp) {
-             return tegata::is_negligible(grasp, start_->scale);
+             return tegata::is_negligible(grasp, mean_->scale);
            });
   }
 
@@ -201,7 +201,7 @@ class Problem {
   }
 
   const SoughtShape* sought_;
-  const FitHand* start_;
+  const FitHand* mean_;
   std::span<const GraspFrames> grasps_;
   const FitStage* stage_;
   int threads_;
@@ -210,6 +210,7 @@ class Problem {
 
 struct Found {
   Eigen::VectorXd shape, standard_deviations;
+  double energy = 0.0;
   Descent descent;
 };
 
@@ -223,14 +224,15 @@ Found minimise_all(const SoughtShape& sought, const Eigen::VectorXd& start,
   }
   if (frame_count == 0) throw Error("shape fit: got no frame, expected at least one");
   estimate.shape = start;
-  const std::unique_ptr<TrialHand> first = sought.at(start);
-  const FitHand hand(first->model());
+  const std::unique_ptr<TrialHand> mean = sought.at(sought.prior().mean);
+  const FitHand hand(mean->model());
   Found found;
   for (const FitStage& stage : schedule.stages) {
     const Problem problem(sought, hand, grasps, stage, threads);
     Linearisation current = problem.linearise(estimate);
     const Descent descent = descend(problem, stage.most_iterations, estimate, current);
     found.descent = {found.descent.iterations + descent.iterations, descent.termination};
+    found.energy = current.energy();
     found.standard_deviations =
         kDeviationScale * current.system().covariance().diagonal().cwiseMax(0.0).cwiseSqrt();
   }
@@ -246,7 +248,7 @@ ScaleFit fit_scale(const HandModel& hand, double start, std::span<GraspFrames> g
   const SoughtScale sought(hand, options.scale_deviation);
   const Found found = minimise_all(sought, Eigen::VectorXd::Constant(1, start), options.scale,
                                    options.threads, grasps);
-  return {found.shape[0], found.standard_deviations[0], found.descent.iterations,
+  return {found.shape[0], found.standard_deviations[0], found.energy, found.descent.iterations,
           found.descent.termination};
 }
 

@@ -29,6 +29,7 @@ struct ShapeFitOptions {
 struct ScaleFit {
   double scale = 1.0;
   double standard_deviation = 0.0;
+  double energy = 0.0;  ///< comparable between starts with the same hand and frames
   int iterations = 0;
   Termination termination = Termination::iteration_limit;
 };

@@ -18,9 +18,10 @@ struct SizedHand {
   double seconds = 0.0;
 };
 
-/// The scale of a hand that fits some takes of it: fits each with the hand as it is, then with
-/// poses and angles the scale, and once more from the beginning with the hand of that scale, as one
-/// of another size settles in other places. Free grasps have angles for each frame.
+/// The scale of a hand that fits some takes of it. A hand of the wrong size settles in wrong
+/// places, so a few sizes are tried on the first frames, each with poses and angles; from the best
+/// on all frames are fitted and the scale with them, anew as long as it changes. Free grasps have
+/// angles for each frame.
 SizedHand size_hand(const HandModel& hand, std::span<const PreparedTake> takes,
                     const GraspFitOptions& options, const Observer& observer);
 
