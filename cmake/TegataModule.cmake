@@ -13,6 +13,17 @@ if(TEGATA_SANITIZE)
   target_link_options(tegata_flags INTERFACE -fsanitize=${TEGATA_SANITIZE})
 endif()
 
+# What most files include, compiled once for the rooms and once for the tests, which are programs
+# and so compiled with other flags. To save time only: every header includes what it uses itself.
+function(tegata_precompiled target header)
+  target_link_libraries(${target} PRIVATE tegata_flags Eigen3::Eigen ${ARGN})
+  target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/${header})
+endfunction()
+
+# Tests are compiled for the compiler's speed, what they test for its own.
+add_library(tegata_test_flags INTERFACE)
+target_compile_options(tegata_test_flags INTERFACE $<$<CONFIG:Release>:-O1>)
+
 # tegata_module(NAME <room> FLOOR <n> UNITS <unit>... [FULL]
 #               [DEPENDS <room>...] [LIBRARIES <public target>...] [PRIVATE_LIBRARIES <target>...])
 #
@@ -43,7 +54,11 @@ function(tegata_module)
     add_library(${target} STATIC ${sources})
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:tegata_flags> ${ARG_PRIVATE_LIBRARIES})
     if(ARG_FLOOR GREATER 0)  # floor 0 does not have Eigen, which is what costs the time
-      target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+      if(NOT TARGET tegata_precompiled)
+        add_library(tegata_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+        tegata_precompiled(tegata_precompiled precompiled.h)
+      endif()
+      target_precompile_headers(${target} REUSE_FROM tegata_precompiled)
     endif()
   else()
     set(scope INTERFACE)
@@ -83,9 +98,14 @@ endfunction()
 function(tegata_test)
   cmake_parse_arguments(ARG "" "NAME;LABEL" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${ARG_NAME} ${ARG_SOURCES})
+  if(NOT TARGET tegata_precompiled_test)
+    add_executable(tegata_precompiled_test ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+    tegata_precompiled(tegata_precompiled_test precompiled_test.h
+                       tegata_test_flags GTest::gtest_main)
+  endif()
   target_link_libraries(${ARG_NAME} PRIVATE
-    tegata_flags ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
-  target_precompile_headers(${ARG_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled_test.h)
+    tegata_flags tegata_test_flags ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
+  target_precompile_headers(${ARG_NAME} REUSE_FROM tegata_precompiled_test)
   target_compile_definitions(${ARG_NAME} PRIVATE
     TEGATA_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     TEGATA_DATA_DIR="${PROJECT_SOURCE_DIR}/../shared/data")
