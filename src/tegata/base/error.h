@@ -12,9 +12,10 @@ namespace tegata {
 /// camera) and what would do. Not converging is never an error but a value in a report.
 class Error : public std::runtime_error {
  public:
-  /// The parts are streamed one after the other into the message.
+  /// The parts are streamed one after the other into the message; what is quoted from a file may
+  /// hold line breaks, the message does not.
   template <typename... Parts>
-  explicit Error(const Parts&... parts) : std::runtime_error(text(parts...)) {}
+  explicit Error(const Parts&... parts) : std::runtime_error(one_line(text(parts...))) {}
 };
 
 }  // namespace tegata

@@ -4,6 +4,7 @@
 
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace tegata {
 
@@ -14,5 +15,9 @@ std::string text(const Parts&... parts) {
   (stream << ... << parts);
   return stream.str();
 }
+
+/// A text with its control characters written out (a line break as "\\n", others as "\\x1b"), so
+/// that it prints as one line.
+std::string one_line(std::string_view text);
 
 }  // namespace tegata
