@@ -23,9 +23,9 @@ struct HullOptions {
   double voxel_size = 0.002;  ///< of the finest cells [m]
   /// A point survives so many views that see background there; fewer than must see it, at most 15.
   int dissenting_views = 0;
-  /// A point that fewer views see is outside. 0: more than half of the views suffice, or two that
-  /// look across each other, from 45 to 135 degrees apart: the space between cameras that face each
-  /// other fills with what only they see.
+  /// A point that fewer views see is outside. 0: more than half of the views suffice, or two (a
+  /// quarter, if that is more) of which two look across each other, from 45 to 135 degrees apart:
+  /// the space between cameras that face each other fills with what only they see.
   int least_views = 0;
   std::size_t triangle_count = 4000;  ///< after simplification; 0: as it comes
   /// Simplification stops here even if more triangles are left [m]; see simplify().
