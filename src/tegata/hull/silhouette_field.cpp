@@ -140,7 +140,7 @@ void SilhouetteField::set_rule(const HullOptions& options) {
   for (std::size_t i = 0; i < views_.size(); ++i) directions.push_back(middle_direction(i));
   rule_.across = views_across(directions);
   // Of many views two are too few: what clutters the pictures lies across each other somewhere.
-  rule_.least_across = std::max<std::size_t>(2, views.size() / 4) + rule_.dissenting_views;
+  rule_.least_across = std::max<std::size_t>(2, views_.size() / 4) + rule_.dissenting_views;
   rule_.least_views = majority(views_.size());
 }
 
