@@ -10,29 +10,6 @@
 namespace tegata {
 namespace {
 
-// OpenCV's rational, tangential and thin-prism lens model, from ideal to distorted coordinates on
-// the plane z = 1.
-Eigen::Vector2d distort_normalized(const Distortion& d, const Eigen::Vector2d& ideal) {
-  const double x = ideal.x(), y = ideal.y();
-  const double r2 = x * x + y * y, r4 = r2 * r2, r6 = r4 * r2;
-  const double radial =
-      (1.0 + d[0] * r2 + d[1] * r4 + d[4] * r6) / (1.0 + d[5] * r2 + d[6] * r4 + d[7] * r6);
-  return {x * radial + 2.0 * d[2] * x * y + d[3] * (r2 + 2.0 * x * x) + d[8] * r2 + d[9] * r4,
-          y * radial + d[2] * (r2 + 2.0 * y * y) + 2.0 * d[3] * x * y + d[10] * r2 + d[11] * r4};
-}
-
-Eigen::Vector2d undistort_normalized(const Distortion& d, const Eigen::Vector2d& distorted) {
-  constexpr int kMostIterations = 100;
-  constexpr double kTolerance = 1e-12;
-  Eigen::Vector2d ideal = distorted;
-  for (int i = 0; i < kMostIterations; ++i) {
-    const Eigen::Vector2d error = distort_normalized(d, ideal) - distorted;
-    ideal -= error;
-    if (error.norm() < kTolerance) break;
-  }
-  return ideal;
-}
-
 Eigen::Vector2d to_normalized(const Camera& camera, const Eigen::Vector2d& pixel) {
   return {(pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy};
 }
@@ -43,12 +20,11 @@ Eigen::Vector2d to_pixel(const Camera& camera, const Eigen::Vector2d& normalized
 
 }  // namespace
 
-bool Camera::is_distorted() const {
-  return std::any_of(distortion.begin(), distortion.end(), [](double c) { return c != 0.0; });
-}
+bool Camera::is_distorted() const { return !lens().is_ideal(); }
 
 Camera Camera::undistorted() const {
   Camera ideal = *this;
+  ideal.lens_model = LensModel::perspective;
   ideal.distortion = {};
   return ideal;
 }
@@ -57,8 +33,7 @@ std::optional<Eigen::Vector2d> project_camera_point(const Camera& camera,
                                                     const Eigen::Vector3d& point_in_camera) {
   if (point_in_camera.z() <= 0.0) return std::nullopt;
   const Eigen::Vector2d ideal = point_in_camera.hnormalized();
-  return to_pixel(camera,
-                  camera.is_distorted() ? distort_normalized(camera.distortion, ideal) : ideal);
+  return to_pixel(camera, camera.is_distorted() ? camera.lens().distort(ideal) : ideal);
 }
 
 std::optional<Eigen::Vector2d> project(const Camera& camera,
@@ -79,17 +54,16 @@ Eigen::Matrix<double, 2, 3> project_jacobian(const Camera& camera,
 
 Eigen::Vector3d pixel_direction(const Camera& camera, const Eigen::Vector2d& pixel) {
   Eigen::Vector2d normalized = to_normalized(camera, pixel);
-  if (camera.is_distorted()) normalized = undistort_normalized(camera.distortion, normalized);
+  if (camera.is_distorted()) normalized = camera.lens().undistort(normalized);
   return camera.camera_from_world.rotation.conjugate() * normalized.homogeneous().normalized();
 }
 
 Eigen::Vector2d distort_pixel(const Camera& camera, const Eigen::Vector2d& undistorted_pixel) {
-  return to_pixel(camera,
-                  distort_normalized(camera.distortion, to_normalized(camera, undistorted_pixel)));
+  return to_pixel(camera, camera.lens().distort(to_normalized(camera, undistorted_pixel)));
 }
 
 Eigen::Vector2d undistort_pixel(const Camera& camera, const Eigen::Vector2d& pixel) {
-  return to_pixel(camera, undistort_normalized(camera.distortion, to_normalized(camera, pixel)));
+  return to_pixel(camera, camera.lens().undistort(to_normalized(camera, pixel)));
 }
 
 void check_camera(const Camera& camera) {

@@ -3,17 +3,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "tegata/camera/lens.h"
 #include "tegata/math/rigid3d.h"
 
 namespace tegata {
-
-/// OpenCV's lens distortion: k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4, absent ones zero.
-using Distortion = std::array<double, 12>;
 
 /// A calibrated camera in OpenCV's frame (x right, y down, z forward). Pixel (0, 0) is the centre
 /// of the top left pixel, so the picture covers [-0.5, width - 0.5) x [-0.5, height - 0.5).
@@ -24,7 +21,9 @@ struct Camera {
   double fx = 0.0, fy = 0.0, cx = 0.0, cy = 0.0;  ///< pixels
   Distortion distortion = {};
   Rigid3d camera_from_world;
+  LensModel lens_model = LensModel::perspective;  ///< says what `distortion` means
 
+  Lens lens() const { return {lens_model, distortion}; }
   /// Where the camera stands.
   Eigen::Vector3d center_in_world() const { return camera_from_world.inverse().translation; }
   bool is_distorted() const;

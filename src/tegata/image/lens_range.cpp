@@ -11,15 +11,10 @@ double invertible_radius(const Camera& camera) {
   constexpr double kStep = 0.005;   // 0.3 degrees near the axis
   constexpr double kAnywhere = std::numeric_limits<double>::infinity();
   if (!camera.is_distorted()) return kAnywhere;
-  const Distortion& d = camera.distortion;
-  const auto distorted = [&](double r) {
-    const double r2 = r * r;
-    return r * (1.0 + r2 * (d[0] + r2 * (d[1] + r2 * d[4]))) /
-           (1.0 + r2 * (d[5] + r2 * (d[6] + r2 * d[7])));
-  };
+  const Lens lens = camera.lens();
   double previous = 0.0;
   for (double r = kStep; r < kLargest; r += kStep) {
-    const double current = distorted(r);
+    const double current = lens.distorted_radius(r);
     if (!(current > previous)) return r - kStep;
     previous = current;
   }
