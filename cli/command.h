@@ -24,6 +24,7 @@ namespace tegata {
 void add_simulate_command(CLI::App& program);
 void add_fit_command(CLI::App& program);
 void add_evaluate_command(CLI::App& program);
+void add_export_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_picture_command(CLI::App& program);
 void add_hull_command(CLI::App& program);

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   tegata::add_simulate_command(program);
   tegata::add_fit_command(program);
   tegata::add_evaluate_command(program);
+  tegata::add_export_command(program);
   tegata::add_info_command(program);
   tegata::add_picture_command(program);
   tegata::add_hull_command(program);
