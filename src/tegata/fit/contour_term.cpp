@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "tegata/fit/outline.h"
@@ -40,7 +41,7 @@ class OutlineSum {
     const double distance = distance_px * metres_per_px;
     const Eigen::RowVector3d along =
         metres_per_px * direction.transpose() * project_jacobian(camera_, point.point);
-    equations_.add(gap_px * metres_per_px, along * outline_jacobian(posed_, point),
+    equations_.add(gap_px * metres_per_px, outline_row(posed_, point, along),
                    precision_ * kernel.weight(distance), precision_ * kernel.cost(distance),
                    outline_shape_row(shape_, point, along));
   }
@@ -85,16 +86,31 @@ void add_outline_to_silhouette(const std::vector<OutlinePoint>& outline, const F
   }
 }
 
+// The outline is sorted by x: the search goes from the contour point's x to either side.
 const OutlinePoint* nearest_facing(const std::vector<OutlinePoint>& outline,
                                    const ContourPoint& contour_point) {
   const OutlinePoint* best = nullptr;
   double best_squared = std::numeric_limits<double>::infinity();
-  for (const OutlinePoint& point : outline) {
-    const double squared = (point.pixel - contour_point.pixel).squaredNorm();
+  // False where this point and those beyond it are farther away than the best one.
+  const auto consider = [&](const OutlinePoint& point) {
+    const Eigen::Vector2d difference = point.pixel - contour_point.pixel;
+    if (difference.x() * difference.x() > best_squared) return false;
+    const double squared = difference.squaredNorm();
     if (squared < best_squared && point.normal.dot(contour_point.normal) > kLeastNormalProduct) {
       best_squared = squared;
       best = &point;
     }
+    return true;
+  };
+  const auto middle =
+      std::lower_bound(outline.begin(), outline.end(), contour_point.pixel.x(),
+                       [](const OutlinePoint& point, double x) { return point.pixel.x() < x; });
+  auto right = middle;
+  auto left = std::make_reverse_iterator(middle);
+  bool goes_right = true, goes_left = true;
+  while (goes_right || goes_left) {
+    goes_right = goes_right && right != outline.end() && consider(*right++);
+    goes_left = goes_left && left != outline.rend() && consider(*left++);
   }
   return best;
 }

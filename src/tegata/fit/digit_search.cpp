@@ -11,7 +11,6 @@
 namespace tegata {
 namespace {
 
-constexpr int kAnglesPerDigit = 4;
 // More frames, or finer stages than the first, tell little more of which of two bends is better.
 constexpr std::size_t kTrialFrames = 4;
 // A bend must win by so much of the energy; less is chance.

@@ -9,6 +9,7 @@ namespace tegata {
 namespace {
 
 constexpr double kReferenceLength = 0.18;  // wrist to the middle fingertip of a mean adult [m]
+constexpr std::size_t kMostSamples = 600;
 constexpr int kWrist = 0;
 constexpr int kMiddleTip = 12;
 
@@ -30,13 +31,27 @@ std::vector<SurfaceEdge> unique_edges(const TriangleMesh& mesh) {
 
 }  // namespace
 
-FitHand::FitHand(const HandModel& hand) : model(&hand), edges(unique_edges(hand.rest_surface)) {
+FitHand::FitHand(const HandModel& hand)
+    : model(&hand),
+      rows(std::make_shared<const SkinRows>(hand)),
+      edges(unique_edges(hand.rest_surface)) {
   const auto& keypoints = hand.skeleton.keypoints;
   scale = (keypoints[kMiddleTip] - keypoints[kWrist]).norm() / kReferenceLength;
   beyond_wrist.reserve(hand.rest_surface.vertices.size());
   for (const Eigen::Vector3d& vertex : hand.rest_surface.vertices) {
     beyond_wrist.push_back(vertex.y() > keypoints[kWrist].y() ? 1 : 0);
   }
+  const std::size_t step = 1 + beyond_wrist.size() / kMostSamples;
+  for (std::size_t i = 0; i < beyond_wrist.size(); i += step) {
+    if (beyond_wrist[i] != 0) samples.push_back(static_cast<std::uint32_t>(i));
+  }
+}
+
+FitHand FitHand::with_model(const HandModel& hand) const {
+  FitHand other = *this;
+  other.model = &hand;
+  other.rows = std::make_shared<const SkinRows>(hand);
+  return other;
 }
 
 }  // namespace tegata

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "tegata/hand/hand_model.h"
+#include "tegata/hand/skin_rows.h"
 
 namespace tegata {
 
@@ -18,8 +20,12 @@ struct SurfaceEdge {
 /// must outlive it.
 struct FitHand {
   explicit FitHand(const HandModel& hand);
+  PosedHand posed(const HandPose& pose) const { return {*model, pose, rows}; }
+  /// The same with a model of another shape that has the same triangles; `scale` and `samples` stay.
+  FitHand with_model(const HandModel& hand) const;
 
   const HandModel* model;
+  std::shared_ptr<const SkinRows> rows;
   /// Size relative to a hand whose wrist and middle fingertip are 0.18 m apart: every length of the
   /// options is multiplied by it, so that a scene in another unit has the same answer.
   double scale = 1.0;
@@ -27,6 +33,8 @@ struct FitHand {
   /// One a vertex: 1 on the finger side of the wrist, 0 on the forearm, which bends on its own and
   /// says nothing of the hand's pose.
   std::vector<std::uint8_t> beyond_wrist;
+  /// Vertices beyond the wrist all over the surface, a few hundred: the hull asks no more.
+  std::vector<std::uint32_t> samples;
 };
 
 }  // namespace tegata

@@ -3,6 +3,7 @@
 #include "tegata/fit/hull_term.h"
 
 #include "tegata/base/error.h"
+#include "tegata/fit/surface_row.h"
 #include "tegata/math/robust_kernel.h"
 
 namespace tegata {
@@ -41,8 +42,10 @@ class PairSum {
   void add(std::size_t hand_vertex, const Eigen::Vector3d& difference,
            const Eigen::Vector3d& normal) {
     const double distance = difference.norm();
-    equations_.add(normal.dot(difference), normal.transpose() * posed_.vertex_jacobian(hand_vertex),
-                   precision_ * kernel_.weight(distance), precision_ * kernel_.cost(distance),
+    HandRow row;
+    add_vertex_row(posed_, hand_vertex, normal, row);
+    equations_.add(normal.dot(difference), row, precision_ * kernel_.weight(distance),
+                   precision_ * kernel_.cost(distance),
                    shape_row(shape_, hand_vertex, normal.transpose()));
   }
   // A pair without a meaning costs what one at sigma costs, so that nothing is won by losing pairs.
@@ -61,7 +64,13 @@ class PairSum {
 
 }  // namespace
 
-HullTarget::HullTarget(const TriangleMesh& hull) : nearest(proven_vertices(hull, normals)) {}
+HullTarget::HullTarget(const TriangleMesh& hull) : nearest(proven_vertices(hull, normals)) {
+  constexpr std::size_t kMostSamples = 600;
+  const std::size_t count = nearest.points().size();
+  for (std::size_t i = 0; i < count; i += 1 + count / kMostSamples) {
+    samples.push_back(static_cast<std::uint32_t>(i));
+  }
+}
 
 void add_hull_term(const FitHand& hand, const PosedHand& posed, const HullTarget& hull,
                    const HullTermOptions& options, FrameEquations& equations,
@@ -69,10 +78,9 @@ void add_hull_term(const FitHand& hand, const PosedHand& posed, const HullTarget
   const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
   const std::vector<Eigen::Vector3d>& hull_vertices = hull.nearest.points();
 
-  PairSum towards_hull(posed, shape, options, static_cast<double>(vertices.size()), hand.scale,
+  PairSum towards_hull(posed, shape, options, static_cast<double>(hand.samples.size()), hand.scale,
                        equations);
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (hand.beyond_wrist[i] == 0) continue;
+  for (const std::uint32_t i : hand.samples) {
     const std::uint32_t match = hull.nearest.nearest(vertices[i]).index;
     if (posed.normals()[i].dot(hull.normals[match]) <= 0.0) {
       towards_hull.add_unmatched();
@@ -82,9 +90,9 @@ void add_hull_term(const FitHand& hand, const PosedHand& posed, const HullTarget
   }
 
   const NearestPoint nearest_vertex(vertices);
-  PairSum towards_hand(posed, shape, options, static_cast<double>(hull_vertices.size()), hand.scale,
+  PairSum towards_hand(posed, shape, options, static_cast<double>(hull.samples.size()), hand.scale,
                        equations);
-  for (std::size_t i = 0; i < hull_vertices.size(); ++i) {
+  for (const std::uint32_t i : hull.samples) {
     const std::uint32_t match = nearest_vertex.nearest(hull_vertices[i]).index;
     const Eigen::Vector3d& normal = posed.normals()[match];
     if (hand.beyond_wrist[match] == 0 || normal.dot(hull.normals[i]) <= 0.0) {

@@ -19,6 +19,8 @@ struct HullTarget {
 
   std::vector<Eigen::Vector3d> normals;
   NearestPoint nearest;
+  /// Points all over the surface, a few hundred: so many ask for the nearest one of the hand.
+  std::vector<std::uint32_t> samples;
 };
 
 struct HullTermOptions {
@@ -27,8 +29,8 @@ struct HullTermOptions {
   double weight = 1.0;                ///< of the whole term
 };
 
-/// The surface of the hull, both ways: for each vertex of the hand the closest vertex of the hull
-/// (3DTM; the paper, IV-A) and for each vertex of the hull the closest one of the hand. The step
+/// The surface of the hull, both ways: for vertices of the hand the closest vertex of the hull
+/// (3DTM; the paper, IV-A) and for vertices of the hull the closest one of the hand. The step
 /// takes the distance to the tangent plane, the Lorentzian weight the distance of the points. Pairs
 /// whose normals point apart are left out, as is the forearm. With a `shape`, equations are by that
 /// as well.

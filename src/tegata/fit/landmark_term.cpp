@@ -22,7 +22,7 @@ void add_landmark_term(const FitHand& hand, const PosedHand& posed, const StartL
         posed.keypoints()[static_cast<std::size_t>(keypoint)] - landmark;
     const PointJacobian jacobian = posed.keypoint_jacobian(keypoint);
     for (int i = 0; i < 3; ++i) {
-      equations.add(difference[i], jacobian.row(i), precision,
+      equations.add(difference[i], ParameterRow(jacobian.row(i)), precision,
                     0.5 * precision * difference[i] * difference[i]);
     }
   }

@@ -39,14 +39,35 @@ FrameEquations::FrameEquations(int shape_count)
       shape_cross(decltype(shape_cross)::Zero(shape_count, kHandParameterCount)),
       shape_gradient(Eigen::VectorXd::Zero(shape_count)) {}
 
-void FrameEquations::add(double residual, const ParameterRow& jacobian, double weight,
-                         double residual_cost, const ShapeRow& by_shape) {
-  hessian.noalias() += (weight * jacobian.transpose()) * jacobian;
-  gradient.noalias() += (weight * residual) * jacobian.transpose();
+void FrameEquations::add(double residual, const HandRow& row, double weight, double residual_cost,
+                         const ShapeRow& by_shape) {
+  constexpr int kA = kAnglesPerDigit;
+  const PoseVector pose = row.values.head<kP>().transpose();
+  const PoseVector weighted_pose = weight * pose;
+  for (int column = 0; column < kP; ++column) {
+    hessian.col(column).head<kP>() += pose[column] * weighted_pose;
+  }
+  gradient.head<kP>() += residual * weighted_pose;
+  for (int digit = 0; digit < kDigitCount; ++digit) {
+    if ((row.digits >> digit & 1U) == 0) continue;
+    const int first = kP + kA * digit;
+    const Eigen::Matrix<double, kA, 1> weighted = weight * row.values.segment<kA>(first);
+    for (int column = 0; column < kP; ++column) {
+      hessian.col(column).segment<kA>(first) += pose[column] * weighted;
+    }
+    gradient.segment<kA>(first) += residual * weighted;
+    for (int other = 0; other <= digit; ++other) {
+      if ((row.digits >> other & 1U) == 0) continue;
+      const int other_first = kP + kA * other;
+      for (int column = other_first; column < other_first + kA; ++column) {
+        hessian.col(column).segment<kA>(first) += row.values[column] * weighted;
+      }
+    }
+  }
   cost += residual_cost;
   if (by_shape.size() == 0) return;
   shape_hessian.noalias() += (weight * by_shape.transpose()) * by_shape;
-  shape_cross.noalias() += (weight * by_shape.transpose()) * jacobian;
+  shape_cross.noalias() += (weight * by_shape.transpose()) * row.values;
   shape_gradient.noalias() += (weight * residual) * by_shape.transpose();
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,22 @@ using ParameterMatrix = Eigen::Matrix<double, kHandParameterCount, kHandParamete
 /// By the parameters of the hand's shape that are sought: none, its scale or all.
 using ShapeRow = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kShapeParameterCount>;
 
+inline constexpr int kAnglesPerDigit = 4;
+/// Digits as bits, the thumb's the lowest.
+using DigitSet = std::uint32_t;
+inline constexpr DigitSet kAllDigits = (1U << kDigitCount) - 1U;
+
+/// A residual's row by pose and angles, with the digits whose angles it depends on: of a point of
+/// the surface mostly one or none, and what is zero is not multiplied.
+struct HandRow {
+  HandRow() : values(ParameterRow::Zero()) {}
+  HandRow(const ParameterRow& row, DigitSet row_digits = kAllDigits)  // NOLINT: a row is one
+      : values(row), digits(row_digits) {}
+
+  ParameterRow values;
+  DigitSet digits = 0;
+};
+
 /// The weighted normal equations of one frame's residuals by its pose (6) and the angles (20), and
 /// the energy that they linearise; by the hand's shape as well, where that is sought. Residuals are
 /// in metres or radians over their own standard deviation, so that all costs are plain numbers.
@@ -25,7 +42,8 @@ struct FrameEquations {
   /// Of so many shape parameters.
   explicit FrameEquations(int shape_count = 0);
 
-  ParameterMatrix hessian = ParameterMatrix::Zero();                       ///< sum of w J^T J
+  /// Sum of w J^T J, its lower half.
+  ParameterMatrix hessian = ParameterMatrix::Zero();
   ParameterVector gradient = ParameterVector::Zero();                      ///< sum of w J^T r
   double cost = 0.0;                                                       ///< sum of rho
   Eigen::MatrixXd shape_hessian;                                           ///< shape by shape
@@ -34,7 +52,7 @@ struct FrameEquations {
 
   /// Adds one residual with its weight rho'(r) / r and its cost rho(r). Its row by the shape has
   /// one entry a shape parameter, or none where it does not depend on them.
-  void add(double residual, const ParameterRow& jacobian, double weight, double residual_cost,
+  void add(double residual, const HandRow& row, double weight, double residual_cost,
            const ShapeRow& by_shape = {});
 };
 

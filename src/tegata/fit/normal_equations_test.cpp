@@ -41,7 +41,8 @@ Dense dense_system(const std::vector<FrameEquations>& frames) {
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const FrameEquations& frame = frames[f];
     Eigen::MatrixXd hessian(kHandParameterCount + shape_count, kHandParameterCount + shape_count);
-    hessian << frame.hessian, frame.shape_cross.transpose(), frame.shape_cross, frame.shape_hessian;
+    hessian << ParameterMatrix(frame.hessian.selfadjointView<Eigen::Lower>()),
+        frame.shape_cross.transpose(), frame.shape_cross, frame.shape_hessian;
     Eigen::VectorXd gradient(kHandParameterCount + shape_count);
     gradient << frame.gradient, frame.shape_gradient;
     const auto where = [&](Eigen::Index i) {
@@ -78,6 +79,26 @@ void expect_dense_solution(const std::vector<FrameEquations>& frames) {
   }
   const Eigen::MatrixXd covariance = inverse.block<kAngleCount, kAngleCount>(angles, angles);
   EXPECT_LT((system.angle_covariance() - covariance).norm(), 1e-8 * covariance.norm() + 1e-9);
+}
+
+TEST(FrameEquations, DigitsThatARowDoesNotDependOnChangeNothing) {
+  Random random(5);
+  FrameEquations sparse, dense;
+  for (const DigitSet digits : {0U, 1U, 4U, 16U, 10U}) {
+    HandRow row;
+    row.digits = digits;
+    for (int k = 0; k < kHandParameterCount; ++k) {
+      const int digit = (k - kPoseParameterCount) / kAnglesPerDigit;
+      if (k < kPoseParameterCount || (digits >> digit & 1U) != 0) {
+        row.values[k] = random.uniform(-1.0, 1.0);
+      }
+    }
+    sparse.add(0.7, row, 2.0, 0.1);
+    dense.add(0.7, HandRow(row.values), 2.0, 0.1);
+  }
+  EXPECT_EQ(sparse.hessian, dense.hessian);
+  EXPECT_EQ(sparse.gradient, dense.gradient);
+  EXPECT_EQ(sparse.cost, dense.cost);
 }
 
 TEST(ArrowSystem, EliminationAgreesWithTheDenseSolution) {

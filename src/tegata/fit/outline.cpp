@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/fit/outline.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "tegata/fit/surface_row.h"
 #include "tegata/image/rasterizer.h"
 
 namespace tegata {
@@ -24,7 +26,8 @@ bool covered(const Silhouette& silhouette, const Eigen::Vector2d& pixel) {
 
 std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& posed,
                                        const Camera& camera) {
-  const Silhouette seen = render_silhouette(posed.surface(), camera);
+  const Silhouette seen = render_silhouette(posed.vertices(), posed.model().rest_surface.triangles,
+                                            camera, Faces::front);
   const Eigen::Vector3d eye = camera.center_in_world();
   const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
   const std::vector<Eigen::Vector3d>& normals = posed.normals();
@@ -56,12 +59,18 @@ std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& pos
     point.beyond_wrist = hand.beyond_wrist[edge.a] != 0 && hand.beyond_wrist[edge.b] != 0;
     outline.push_back(point);
   }
+  std::stable_sort(
+      outline.begin(), outline.end(),
+      [](const OutlinePoint& a, const OutlinePoint& b) { return a.pixel.x() < b.pixel.x(); });
   return outline;
 }
 
-PointJacobian outline_jacobian(const PosedHand& posed, const OutlinePoint& point) {
-  return (1.0 - point.fraction) * posed.vertex_jacobian(point.a) +
-         point.fraction * posed.vertex_jacobian(point.b);
+HandRow outline_row(const PosedHand& posed, const OutlinePoint& point,
+                    const Eigen::RowVector3d& along) {
+  HandRow row;
+  add_vertex_row(posed, point.a, (1.0 - point.fraction) * along, row);
+  add_vertex_row(posed, point.b, point.fraction * along, row);
+  return row;
 }
 
 ShapeRow outline_shape_row(const ShapeMotion* shape, const OutlinePoint& point,

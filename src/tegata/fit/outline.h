@@ -8,6 +8,7 @@
 
 #include "tegata/camera/camera.h"
 #include "tegata/fit/fit_hand.h"
+#include "tegata/fit/normal_equations.h"
 #include "tegata/fit/shape_motion.h"
 #include "tegata/hand/hand_model.h"
 
@@ -27,12 +28,13 @@ struct OutlinePoint {
 /// The outline of the hand in a camera without distortion. Found on the edges of the surface along
 /// which the normal passes from towards the camera to away from it; of these, those with the hand
 /// on one side in the picture and nothing on the other. Points that the picture does not show are
-/// left out.
+/// left out. Sorted by the pixels' x.
 std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& posed,
                                        const Camera& camera);
 
-/// d point / d parameters.
-PointJacobian outline_jacobian(const PosedHand& posed, const OutlinePoint& point);
+/// d (along . point) / d pose and angles.
+HandRow outline_row(const PosedHand& posed, const OutlinePoint& point,
+                    const Eigen::RowVector3d& along);
 /// d (along . point) / d shape; empty without a shape.
 ShapeRow outline_shape_row(const ShapeMotion* shape, const OutlinePoint& point,
                            const Eigen::RowVector3d& along);

@@ -7,7 +7,6 @@
 namespace tegata {
 namespace {
 
-constexpr int kAnglesPerDigit = 4;
 constexpr double kDipOverPip = 2.0 / 3.0;
 
 bool is_abduction(int angle) {

@@ -140,8 +140,7 @@ class Problem {
 
   Linearisation linearise(const Estimate& estimate) const {
     const std::unique_ptr<TrialHand> trial = sought_->at(estimate.shape);
-    FitHand hand = *mean_;
-    hand.model = &trial->model();
+    const FitHand hand = mean_->with_model(trial->model());
     const FrameEquations nothing(static_cast<int>(estimate.shape.size()));
     Linearisation result;
     for (std::size_t g = 0; g < grasps_.size(); ++g) {
@@ -151,7 +150,7 @@ class Problem {
     }
     parallel_for(all_frames_.size(), threads_, [&](std::size_t i) {
       const auto [g, f] = all_frames_[i];
-      const PosedHand posed(*hand.model, estimate.grasps[g].pose(f));
+      const PosedHand posed = hand.posed(estimate.grasps[g].pose(f));
       const std::unique_ptr<ShapeMotion> motion = trial->motion(posed);
       add_frame_terms(hand, posed, *grasps_[g].frames[f], *stage_, result.grasps[g].frames[f],
                       motion.get());

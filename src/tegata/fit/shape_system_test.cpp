@@ -52,7 +52,8 @@ struct Dense {
   void add(const FrameEquations& frame, Eigen::Index pose, Eigen::Index angles) {
     constexpr int kAll = kHandParameterCount + kShapes;
     Eigen::Matrix<double, kAll, kAll> block;
-    block << frame.hessian, frame.shape_cross.transpose(), frame.shape_cross, frame.shape_hessian;
+    block << ParameterMatrix(frame.hessian.selfadjointView<Eigen::Lower>()),
+        frame.shape_cross.transpose(), frame.shape_cross, frame.shape_hessian;
     Eigen::Matrix<double, kAll, 1> right;
     right << frame.gradient, frame.shape_gradient;
     const auto where = [&](Eigen::Index i) {

@@ -36,7 +36,7 @@ struct Problem {
     Linearisation result;
     result.frames.resize(frames.size());
     parallel_for(frames.size(), threads, [&](std::size_t f) {
-      const PosedHand posed(*hand.model, estimate.pose(f));
+      const PosedHand posed = hand.posed(estimate.pose(f));
       add_frame_terms(hand, posed, *frames[f], stage, result.frames[f]);
     });
     add_prior_term(estimate.angles, stage.prior, result.prior);

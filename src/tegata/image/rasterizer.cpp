@@ -30,13 +30,13 @@ struct Corner {
   bool visible = false;
 };
 
-std::vector<Corner> project_corners(const TriangleMesh& mesh, const Camera& camera) {
+std::vector<Corner> project_corners(std::span<const Eigen::Vector3d> vertices,
+                                    const Camera& camera) {
   const double radius = invertible_radius(camera);
   const Eigen::Matrix3d rotation = camera.camera_from_world.rotation.toRotationMatrix();
-  std::vector<Corner> corners(mesh.vertices.size());
+  std::vector<Corner> corners(vertices.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Eigen::Vector3d point =
-        rotation * mesh.vertices[i] + camera.camera_from_world.translation;
+    const Eigen::Vector3d point = rotation * vertices[i] + camera.camera_from_world.translation;
     const auto pixel = project_camera_point(camera, point);
     if (!pixel || point.head<2>().norm() > radius * point.z()) continue;
     if (!(pixel->cwiseAbs().maxCoeff() < kFarthest)) continue;
@@ -76,11 +76,18 @@ PixelBox pixel_box(const std::array<Corner, 3>& c, const Camera& camera) {
           std::min(camera.height - 1, down(bottom))};
 }
 
-// Calls visit(x, y, 1 / depth) for every pixel centre in the triangle.
+// The pixels first_x .. last_x of row y, where 1 / depth begins with a value and changes by a step.
+struct PixelRun {
+  int y, first_x, last_x;
+  double inverse_depth, inverse_depth_step;
+};
+
+// Calls visit(run) for every row of pixel centres in the triangle.
 template <typename Visit>
-void scan_triangle(std::array<Corner, 3> c, const Camera& camera, const Visit& visit) {
+void scan_triangle(std::array<Corner, 3> c, const Camera& camera, Faces faces, const Visit& visit) {
+  // With y down, a triangle that runs counter-clockwise has a negative area.
   std::int64_t area = twice_area(c[0], c[1], c[2]);
-  if (area == 0) return;
+  if (area == 0 || (area > 0 && faces == Faces::front)) return;
   if (area < 0) {
     std::swap(c[1], c[2]);
     area = -area;
@@ -93,17 +100,30 @@ void scan_triangle(std::array<Corner, 3> c, const Camera& camera, const Visit& v
   // 1 / z is linear in the picture: the corners' values weighted by the opposite edges' functions.
   const double w0 = c[0].inverse_depth * scale, w1 = c[1].inverse_depth * scale,
                w2 = c[2].inverse_depth * scale;
+  const auto inverse_depth = [&](std::int64_t v0, std::int64_t v1, std::int64_t v2) {
+    return static_cast<double>(v0) * w0 + static_cast<double>(v1) * w1 +
+           static_cast<double>(v2) * w2;
+  };
   for (int y = box.top; y <= box.bottom; ++y) {
-    std::int64_t v0 = e0.at_row, v1 = e1.at_row, v2 = e2.at_row;
-    for (int x = box.left; x <= box.right; ++x) {
-      if (v0 >= e0.threshold && v1 >= e1.threshold && v2 >= e2.threshold) {
-        visit(x, y,
-              static_cast<double>(v0) * w0 + static_cast<double>(v1) * w1 +
-                  static_cast<double>(v2) * w2);
-      }
+    std::int64_t v0 = e0.at_row - e0.threshold, v1 = e1.at_row - e1.threshold,
+                 v2 = e2.at_row - e2.threshold;
+    // Inside is where no value is negative; a triangle is convex, so that is one run.
+    int x = box.left;
+    for (; x <= box.right && (v0 | v1 | v2) < 0; ++x) {
       v0 += e0.step_x;
       v1 += e1.step_x;
       v2 += e2.step_x;
+    }
+    if (x <= box.right) {
+      PixelRun run{y, x, x, inverse_depth(v0 + e0.threshold, v1 + e1.threshold, v2 + e2.threshold),
+                   inverse_depth(e0.step_x, e1.step_x, e2.step_x)};
+      for (; run.last_x < box.right; ++run.last_x) {
+        v0 += e0.step_x;
+        v1 += e1.step_x;
+        v2 += e2.step_x;
+        if ((v0 | v1 | v2) < 0) break;
+      }
+      visit(run);
     }
     e0.at_row += e0.step_y;
     e1.at_row += e1.step_y;
@@ -111,17 +131,17 @@ void scan_triangle(std::array<Corner, 3> c, const Camera& camera, const Visit& v
   }
 }
 
-// Calls visit(x, y, 1 / depth, triangle) for every pixel centre in every triangle.
+// Calls visit(run, triangle) for every row of pixel centres in every triangle.
 template <typename Visit>
-void scan_mesh(const TriangleMesh& mesh, const Camera& camera, const Visit& visit) {
-  const std::vector<Corner> corners = project_corners(mesh, camera);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle& t = mesh.triangles[i];
+void scan_triangles(std::span<const Eigen::Vector3d> vertices, std::span<const Triangle> triangles,
+                    const Camera& camera, Faces faces, const Visit& visit) {
+  const std::vector<Corner> corners = project_corners(vertices, camera);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Triangle& t = triangles[i];
     const std::array<Corner, 3> c = {corners[t[0]], corners[t[1]], corners[t[2]]};
     if (!c[0].visible || !c[1].visible || !c[2].visible) continue;
-    scan_triangle(c, camera, [&](int x, int y, double inverse_depth) {
-      visit(x, y, inverse_depth, static_cast<std::int32_t>(i));
-    });
+    scan_triangle(c, camera, faces,
+                  [&](const PixelRun& run) { visit(run, static_cast<std::int32_t>(i)); });
   }
 }
 
@@ -131,19 +151,32 @@ RenderedMesh render(const TriangleMesh& mesh, const Camera& camera) {
   RenderedMesh picture{
       Image<float>(camera.width, camera.height, std::numeric_limits<float>::infinity()),
       Image<std::int32_t>(camera.width, camera.height, -1)};
-  scan_mesh(mesh, camera, [&](int x, int y, double inverse_depth, std::int32_t triangle) {
-    const float depth = static_cast<float>(1.0 / inverse_depth);
-    if (depth >= picture.depth(x, y)) return;  // of two at the same depth the first one stays
-    picture.depth(x, y) = depth;
-    picture.triangle(x, y) = triangle;
-  });
+  scan_triangles(mesh.vertices, mesh.triangles, camera, Faces::all,
+                 [&](const PixelRun& run, std::int32_t triangle) {
+                   for (int x = run.first_x; x <= run.last_x; ++x) {
+                     const double inverse_depth =
+                         run.inverse_depth + (x - run.first_x) * run.inverse_depth_step;
+                     const float depth = static_cast<float>(1.0 / inverse_depth);
+                     // Of two at the same depth the first one stays.
+                     if (depth >= picture.depth(x, run.y)) continue;
+                     picture.depth(x, run.y) = depth;
+                     picture.triangle(x, run.y) = triangle;
+                   }
+                 });
   return picture;
 }
 
-Silhouette render_silhouette(const TriangleMesh& mesh, const Camera& camera) {
+Silhouette render_silhouette(const TriangleMesh& mesh, const Camera& camera, Faces faces) {
+  return render_silhouette(mesh.vertices, mesh.triangles, camera, faces);
+}
+
+Silhouette render_silhouette(std::span<const Eigen::Vector3d> vertices,
+                             std::span<const Triangle> triangles, const Camera& camera,
+                             Faces faces) {
   Silhouette silhouette(camera.width, camera.height, PixelLabel::background);
-  scan_mesh(mesh, camera,
-            [&](int x, int y, double, std::int32_t) { silhouette(x, y) = PixelLabel::hand; });
+  scan_triangles(vertices, triangles, camera, faces, [&](const PixelRun& run, std::int32_t) {
+    std::fill_n(&silhouette(run.first_x, run.y), run.last_x - run.first_x + 1, PixelLabel::hand);
+  });
   return silhouette;
 }
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <span>
 
 #include "tegata/camera/camera.h"
 #include "tegata/image/image.h"
@@ -23,7 +25,17 @@ struct RenderedMesh {
 /// with a corner that is not in front of the camera are left out.
 RenderedMesh render(const TriangleMesh& mesh, const Camera& camera);
 
+enum class Faces {
+  all,
+  front,  ///< that face the camera; of a closed surface they cover the same pixels
+};
+
 /// The pixels that the mesh covers, as hand; all others background.
-Silhouette render_silhouette(const TriangleMesh& mesh, const Camera& camera);
+Silhouette render_silhouette(const TriangleMesh& mesh, const Camera& camera,
+                             Faces faces = Faces::all);
+/// The same of vertices in world coordinates [m] and the triangles between them.
+Silhouette render_silhouette(std::span<const Eigen::Vector3d> vertices,
+                             std::span<const Triangle> triangles, const Camera& camera,
+                             Faces faces = Faces::all);
 
 }  // namespace tegata

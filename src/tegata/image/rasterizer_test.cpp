@@ -188,5 +188,28 @@ TEST(Rasterizer, TheSilhouetteIsWhereThereIsDepth) {
   }
 }
 
+TEST(Rasterizer, FrontFacesOfAClosedSurfaceCoverWhatAllFacesDo) {
+  TriangleMesh octahedron;
+  octahedron.vertices = {{0.1, 0, 0},  {-0.1, 0, 0}, {0, 0.1, 0},
+                         {0, -0.1, 0}, {0, 0, 0.1},  {0, 0, -0.1}};
+  octahedron.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                          {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  const Camera camera = room_camera();
+  const Silhouette all = render_silhouette(octahedron, camera);
+  const Silhouette front = render_silhouette(octahedron, camera, Faces::front);
+  EXPECT_EQ(front, all);
+  EXPECT_EQ(all(99, 74), PixelLabel::hand);
+  // The nearest and the farthest of them alone.
+  const std::vector<Triangle> all_triangles = octahedron.triangles;
+  std::size_t drawn = 0;
+  const Silhouette nothing(camera.width, camera.height, PixelLabel::background);
+  for (const Triangle& triangle : all_triangles) {
+    octahedron.triangles = {triangle};
+    const Silhouette one = render_silhouette(octahedron, camera, Faces::front);
+    drawn += one == nothing ? 0 : 1;
+  }
+  EXPECT_EQ(drawn, 4u);
+}
+
 }  // namespace
 }  // namespace tegata

@@ -22,7 +22,7 @@ ResultFrame describe_frame(const FitHand& hand, const HandPose& pose,
   ResultFrame frame;
   frame.name = prepared.name;
   frame.time = prepared.time;
-  const PosedHand posed(*hand.model, pose);
+  const PosedHand posed = hand.posed(pose);
   frame.pose = pose;
   frame.keypoints = posed.keypoints();
   frame.support = bone_support(hand, posed, prepared.frame.views);
