@@ -115,7 +115,7 @@ void run(Arguments& arguments) {
     Progress progress(arguments.common.quiet);
     result = fit_take(take, asked, options, progress.observer());
     const HandModel hand = scaled(asked, result.model_scale);
-    write_result_files(result, hand, folder.path());
+    write_result_files(result, hand, folder.path(), take.rig());
     if (!arguments.no_report) {
       write_report(take, result, hand, options.segmentation, folder.path() / "report.html");
     }

@@ -11,7 +11,7 @@
 namespace tegata {
 
 void write_result_files(const Result& result, const HandModel& hand,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder, const CameraRig& cameras) {
   write_result_json(result, folder / "result.json");
   write_angles_csv(result, folder / "angles.csv");
 
@@ -21,11 +21,14 @@ void write_result_files(const Result& result, const HandModel& hand,
   if (failure) throw Error(meshes.string(), ": cannot be made: ", failure.message());
   std::vector<HandKeyframe> keyframes;
   for (const ResultFrame& frame : result.frames) {
+    HandKeyframe& keyframe = keyframes.emplace_back();
+    keyframe.time = frame.time - result.frames.front().time;
+    keyframe.is_hidden = !frame.pose;
     if (!frame.pose) continue;
-    keyframes.push_back({frame.time - result.frames.front().time, *frame.pose});
+    keyframe.pose = *frame.pose;
     write_ply(PosedHand(hand, *frame.pose).surface(), meshes / (frame.name + ".ply"));
   }
-  write_hand_gltf(hand, keyframes, folder / "hand.glb");
+  write_hand_gltf(hand, keyframes, folder / "hand.glb", cameras);
 }
 
 }  // namespace tegata

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tegata/camera/camera.h"
 #include "tegata/hand/hand_model.h"
 
 namespace tegata {
@@ -28,14 +29,16 @@ HandModel parse_hand_gltf(std::string_view bytes, Side side, const std::string& 
 struct HandKeyframe {
   double time = 0.0;  ///< [s]
   HandPose pose;
+  bool is_hidden = false;  ///< there is no pose: from here to the next keyframe nothing is shown
 };
 
 /// Writes a skinned hand with WebXR joint names and axes (-z along the bone, y out of its back)
 /// and, unless there are no keyframes, one animation: y up, metres, the world turned from OpenCV's
-/// axes (y down) by half a turn about x. The nodes are in the model's rest pose. Binary unless the
-/// file's name ends in .gltf. Throws Error where times do not increase from 0 on or the file cannot
-/// be written.
+/// axes (y down) by half a turn about x. The nodes are in the model's rest pose. What is hidden is
+/// scaled to nothing, as glTF says for that. Cameras become glTF's, which know neither a principal
+/// point nor lens distortion; both stand in their `extras`. Binary unless the file's name ends in
+/// .gltf. Throws Error where times do not increase from 0 on or the file cannot be written.
 void write_hand_gltf(const HandModel& model, const std::vector<HandKeyframe>& keyframes,
-                     const std::filesystem::path& file);
+                     const std::filesystem::path& file, const CameraRig& cameras = {});
 
 }  // namespace tegata

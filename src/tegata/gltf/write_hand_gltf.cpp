@@ -6,6 +6,7 @@
 
 #include "tegata/base/error.h"
 #include "tegata/gltf/accessor.h"
+#include "tegata/gltf/gltf_cameras.h"
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/gltf/webxr_joints.h"
 
@@ -190,14 +191,14 @@ void add_nodes(const HandModel& hand, const JointFrames& frames, tinygltf::Model
   model.nodes[kMeshNode].skin = 0;
 }
 
-/// Adds what one node does over time: its rotations, or the wrist's translations.
+/// Adds what one node does over time: its rotations, or the wrist's translations and scales.
 void add_channel(tinygltf::Model& model, int input, int node, const std::string& path,
                  const std::vector<float>& numbers) {
   tinygltf::Animation& animation = model.animations.back();
   tinygltf::AnimationSampler sampler;
   sampler.input = input;
   sampler.output = append_floats(model, numbers, path == "rotation" ? 4 : 3, 0, false);
-  sampler.interpolation = "LINEAR";
+  sampler.interpolation = path == "scale" ? "STEP" : "LINEAR";
   animation.samplers.push_back(sampler);
   tinygltf::AnimationChannel channel;
   channel.sampler = static_cast<int>(animation.samplers.size()) - 1;
@@ -211,9 +212,11 @@ void add_animation(const Skeleton& skeleton, const JointFrames& frames,
   std::vector<float> times;
   std::vector<JointFrames> locals;
   for (const HandKeyframe& keyframe : keyframes) {
+    if (keyframe.is_hidden) continue;
     times.push_back(static_cast<float>(keyframe.time));
     locals.push_back(local_transforms(skeleton, frames, keyframe.pose));
   }
+  if (times.empty()) return;
   const int input = append_floats(model, times, 1, 0, true);
   model.animations.emplace_back();
   model.animations.back().name = "take";
@@ -242,6 +245,20 @@ void add_animation(const Skeleton& skeleton, const JointFrames& frames,
   }
 }
 
+/// Adds where the hand is shown and where not, unless it always is.
+void add_visibility(const std::vector<HandKeyframe>& keyframes, tinygltf::Model& model) {
+  if (model.animations.empty()) return;
+  std::vector<float> times, scales;
+  bool is_ever_hidden = false;
+  for (const HandKeyframe& keyframe : keyframes) {
+    times.push_back(static_cast<float>(keyframe.time));
+    scales.insert(scales.end(), 3, keyframe.is_hidden ? 0.0F : 1.0F);
+    is_ever_hidden = is_ever_hidden || keyframe.is_hidden;
+  }
+  if (!is_ever_hidden) return;
+  add_channel(model, append_floats(model, times, 1, 0, true), kFirstJointNode, "scale", scales);
+}
+
 void check_keyframes(const std::vector<HandKeyframe>& keyframes,
                      const std::filesystem::path& file) {
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
@@ -252,6 +269,7 @@ void check_keyframes(const std::vector<HandKeyframe>& keyframes,
                   " s, expected times from 0 on that increase");
     }
     const Rigid3d& place = keyframe.pose.world_from_hand;
+    if (keyframe.is_hidden) continue;
     if (!place.translation.allFinite() || !place.rotation.coeffs().allFinite() ||
         !keyframe.pose.angles.allFinite()) {
       throw Error(file.string(), ": the pose of keyframe ", i, " is not finite");
@@ -262,7 +280,7 @@ void check_keyframes(const std::vector<HandKeyframe>& keyframes,
 }  // namespace
 
 void write_hand_gltf(const HandModel& hand, const std::vector<HandKeyframe>& keyframes,
-                     const std::filesystem::path& file) {
+                     const std::filesystem::path& file, const CameraRig& cameras) {
   check_hand(hand);
   check_keyframes(keyframes, file);
   tinygltf::Model model;
@@ -272,7 +290,11 @@ void write_hand_gltf(const HandModel& hand, const std::vector<HandKeyframe>& key
   add_mesh(hand, model);
   const JointFrames frames = joint_frames(hand.skeleton);
   add_nodes(hand, frames, model);
-  if (!keyframes.empty()) add_animation(hand.skeleton, frames, keyframes, model);
+  add_animation(hand.skeleton, frames, keyframes, model);
+  add_visibility(keyframes, model);
+  for (const Camera& camera : cameras) {
+    model.nodes[kTurnNode].children.push_back(add_gltf_camera(camera, model));
+  }
   tinygltf::Scene scene;
   scene.nodes = {kTurnNode, kMeshNode};
   model.scenes.push_back(scene);
