@@ -11,8 +11,9 @@
 
 namespace tegata {
 
-/// Progress and warnings on stderr: a bar on a terminal; elsewhere a line for each finished stage,
-/// and for each further tenth of a long one.
+/// Progress and warnings on stderr, with how long a stage will still take as far as its pace tells:
+/// a bar on a terminal; elsewhere a line for each finished stage, and for each further tenth of a
+/// long one.
 class Progress {
  public:
   explicit Progress(bool quiet);
@@ -27,6 +28,7 @@ class Progress {
   void show(std::string_view stage, std::size_t done, std::size_t total);
   void warn(std::string_view message);
   void draw_bar(std::size_t done, std::size_t total);
+  std::string time_text(std::size_t done, std::size_t total) const;
   void end_bar();
 
   bool quiet_;
@@ -34,7 +36,7 @@ class Progress {
   bool bar_is_open_ = false;
   std::string stage_;
   std::size_t shown_tenth_ = 0;
-  Stopwatch since_line_;
+  Stopwatch since_report_, since_stage_, since_line_;
 };
 
 }  // namespace tegata
