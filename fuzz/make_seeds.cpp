@@ -29,6 +29,34 @@ constexpr const char* kAsciiPly =
     "property list uchar uint vertex_index\nelement edge 1\nproperty int vertex1\n"
     "end_header\n0 0 0 255\n1 0 0 255\n1 1 0 255\n0 1 0 255\n4 0 1 2 3\n7\n";
 
+// The same two cameras as other tools write them, after the byte that says which (see
+// fuzz_calibration_import.cpp).
+constexpr const char* kColmap =
+    "\3# cameras\n1 OPENCV 640 480 700 700 320 240 -0.1 0.01 0 0\n"
+    "2 SIMPLE_RADIAL 640 480 700 320 240 -0.1\n|1 1 0 0 0 0 0 1 1 a.png\n1 2 -1\n"
+    "2 0.7 0 0.714142842854285 0 0 0 1 2 b.png\n\n";
+constexpr const char* kEasyMocap =
+    "\1%YAML:1.0\n---\nnames:\n  - \"01\"\n  - \"02\"\nK_01: !!opencv-matrix\n  rows: 3\n"
+    "  cols: 3\n  dt: d\n  data: [ 700., 0., 320., 0., 700., 240., 0., 0., 1. ]\n"
+    "dist_01: [0, 0, 0, 0, 0]\nR_01: [0.1, 0, 0]\nT_01: [0, 0, 1]\nH_01: 480\nW_01: 640\n"
+    "K_02: [700, 0, 320, 0, 700, 240, 0, 0, 1]\ndist_02: [0, 0, 0, 0, 0]\n"
+    "Rot_02: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nT_02: [0, 0, 1]\n";
+constexpr const char* kKalibr =
+    "\2cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.1, 0, 0, 0]\n"
+    "  distortion_model: equidistant\n  intrinsics: [700, 700, 320, 240]\n"
+    "  resolution: [640, 480]\ncam1:\n  T_cn_cnm1:\n  - [1, 0, 0, 0.1]\n  - [0, 1, 0, 0]\n"
+    "  - [0, 0, 1, 0]\n  - [0, 0, 0, 1]\n  camera_model: pinhole\n"
+    "  distortion_coeffs: [0.1, 0, 0, 0]\n  distortion_model: radtan\n"
+    "  intrinsics: [700, 700, 320, 240]\n  resolution: [640, 480]\n";
+constexpr const char* kOpenCvXml =
+    "\1<?xml version=\"1.0\"?>\n<opencv_storage>\n<!-- two -->\n<a><name>\"left\"</name>"
+    "<image_width>640</image_width><image_height>480</image_height>\n"
+    "<camera_matrix type_id=\"opencv-matrix\"><rows>3</rows><cols>3</cols><dt>d</dt>\n"
+    "<data>700. 0. 320. 0. 700. 240. 0. 0. 1.</data></camera_matrix>\n"
+    "<distortion_coefficients>0 0 0 0</distortion_coefficients><R>0 0 0</R><T>0 0 1</T></a>\n"
+    "<b><K>700. 0. 320. 0. 700. 240. 0. 0. 1.</K><D>0. 0. 0. 0.</D><R>0 0.1 0</R>"
+    "<T><_>0</_><_>0</_><_>1</_></T></b></opencv_storage>\n";
+
 /// A folder of the seeds of one target, made where it is not there.
 std::filesystem::path seeds_of(const std::filesystem::path& folder, const char* target) {
   std::filesystem::create_directories(folder / target);
@@ -88,6 +116,13 @@ void make_seeds(const std::filesystem::path& folder) {
 
   write_calibration({camera("left"), camera("right")},
                     seeds_of(folder, "calibration") / "calibration.toml");
+  const std::filesystem::path imports = seeds_of(folder, "calibration_import");
+  std::string colmap = kColmap;
+  colmap[colmap.find('|')] = '\0';
+  std::ofstream(imports / "colmap", std::ios::binary) << colmap;
+  std::ofstream(imports / "easymocap.yml") << kEasyMocap;
+  std::ofstream(imports / "kalibr.yaml") << kKalibr;
+  std::ofstream(imports / "opencv.xml") << kOpenCvXml;
   TakeInfo info;
   info.name = "take";
   info.side = Side::left;

@@ -12,7 +12,7 @@ packages=(
   libeigen3-dev libtbb-dev libmeshoptimizer-dev
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev
   libopencv-videoio-dev
-  nlohmann-json3-dev libtomlplusplus-dev libtinygltf-dev libcli11-dev libfmt-dev
+  nlohmann-json3-dev libtomlplusplus-dev libyaml-cpp-dev libtinygltf-dev libcli11-dev libfmt-dev
 )
 case "${1:-}" in
   '') ;;

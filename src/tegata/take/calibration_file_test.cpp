@@ -145,9 +145,13 @@ TEST(Calibration, RotationsThatMirrorOrStretchAreSaid) {
   EXPECT_TRUE(says(error_with(vector, "[0.1, -0.2]"), "'rotation'", "2 numbers"));
 }
 
-TEST(Calibration, FisheyeLensesAreRefusedNotMisread) {
+TEST(Calibration, FisheyeLensesHaveFourCoefficients) {
   EXPECT_TRUE(says(error_of([] { read(kLeft + "fisheye = true\n" + kRight); }), "[cam_0]",
-                   "'fisheye'", "not supported"));
+                   "'distortions'", "5 numbers", "0 or 4"));
+  const CameraRig rig =
+      read(kLeft + replaced(kRight, "[]", "[0.1, 0.2, 0.3, 0.4]") + "fisheye = true\n");
+  EXPECT_EQ(rig[0].lens_model, LensModel::perspective);
+  EXPECT_EQ(rig[1].lens_model, LensModel::fisheye);
 }
 
 TEST(Calibration, OneCameraOrTwoOfOneNameAreNoRig) {
