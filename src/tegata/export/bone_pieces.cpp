@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/export/bone_pieces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 namespace tegata {
 namespace {
@@ -28,21 +30,78 @@ int bone_of(const HandModel& hand, const Triangle& triangle) {
   return most;
 }
 
-/// Closes each hole by triangles between its edges and the middle of its corners.
-void close_holes(TriangleMesh& mesh) {
-  // How often an edge is run along forwards more than backwards; a hole's are once.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> excess;
-  for (const Triangle& triangle : mesh.triangles) {
+/// Whether one bone hangs from the other.
+bool is_joined(int a, int b) { return parent_bone(a) == b || parent_bone(b) == a; }
+
+/// Whether the bones of the triangles around a vertex are one, or two that hang together.
+bool is_clean(const std::vector<std::size_t>& fan, const std::vector<int>& bones) {
+  int near = kBoneCount, far = 0;
+  for (const std::size_t i : fan) {
+    near = std::min(near, bones[i]);
+    far = std::max(far, bones[i]);
+  }
+  return std::all_of(fan.begin(), fan.end(), [&](std::size_t i) {
+    return near == far || (is_joined(near, far) && (bones[i] == near || bones[i] == far));
+  });
+}
+
+/// Moves triangles around a vertex one bone towards the palm: those of the outermost bone, or of
+/// all where there are several digits.
+void step_towards_palm(const std::vector<std::size_t>& fan, std::vector<int>& bones) {
+  int far = 0;
+  for (const std::size_t i : fan) far = std::max(far, bones[i]);
+  const bool is_one_digit = std::all_of(fan.begin(), fan.end(), [&](std::size_t i) {
+    return bones[i] == 0 || (bones[i] - 1) / 3 == (far - 1) / 3;
+  });
+  for (const std::size_t i : fan) {
+    if (bones[i] > 0 && (!is_one_digit || bones[i] == far)) bones[i] = parent_bone(bones[i]);
+  }
+}
+
+/// The bone of each triangle, so that pieces meet only where a joint is: what other bones share, as
+/// neighbouring fingers do the web between them, goes to a bone nearer to the palm.
+std::vector<int> bones_of_triangles(const HandModel& hand) {
+  const std::vector<Triangle>& triangles = hand.rest_surface.triangles;
+  std::vector<int> bones;
+  std::vector<std::vector<std::size_t>> around(hand.rest_surface.vertices.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    bones.push_back(bone_of(hand, triangles[i]));
+    for (const std::uint32_t corner : triangles[i]) around[corner].push_back(i);
+  }
+  for (bool is_settled = false; !is_settled;) {  // ends: triangles only ever go towards the palm
+    is_settled = true;
+    for (const std::vector<std::size_t>& fan : around) {
+      if (is_clean(fan, bones)) continue;
+      step_towards_palm(fan, bones);
+      is_settled = false;
+    }
+  }
+  return bones;
+}
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// The edges of triangles that have no other along them.
+std::vector<Edge> open_edges(const std::vector<Triangle>& triangles) {
+  // How often an edge is run along forwards more than backwards.
+  std::map<Edge, int> excess;
+  for (const Triangle& triangle : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
       ++excess[{from, to}];
       --excess[{to, from}];
     }
   }
-  std::multimap<std::uint32_t, std::uint32_t> open;
+  std::vector<Edge> open;
   for (const auto& [edge, count] : excess) {
-    for (int i = 0; i < count; ++i) open.insert(edge);
+    for (int i = 0; i < count; ++i) open.push_back(edge);
   }
+  return open;
+}
+
+/// Closes the holes that some edges go around by triangles to the middle of each.
+void close_holes(const std::vector<Edge>& edges, TriangleMesh& mesh) {
+  std::multimap<std::uint32_t, std::uint32_t> open(edges.begin(), edges.end());
   while (!open.empty()) {
     std::vector<std::uint32_t> loop = {open.begin()->first};
     for (auto next = open.begin(); next != open.end(); next = open.find(loop.back())) {
@@ -62,19 +121,39 @@ void close_holes(TriangleMesh& mesh) {
 }  // namespace
 
 std::array<TriangleMesh, kBoneCount> bone_pieces(const HandModel& hand) {
+  const std::vector<Triangle>& triangles = hand.rest_surface.triangles;
+  const std::vector<int> bones_of = bones_of_triangles(hand);
   std::array<TriangleMesh, kBoneCount> pieces;
-  for (const Triangle& triangle : hand.rest_surface.triangles) {
-    pieces[index(bone_of(hand, triangle))].triangles.push_back(triangle);
+  std::map<Edge, int> bone_along;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    pieces[index(bones_of[i])].triangles.push_back(triangles[i]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      bone_along[{triangles[i][j], triangles[i][(j + 1) % 3]}] = bones_of[i];
+    }
   }
   const auto bones = bone_transforms(hand.skeleton, hand.rest_angles);
-  for (std::size_t bone = 0; bone < pieces.size(); ++bone) {
-    TriangleMesh& piece = pieces[bone];
+  for (int bone = 0; bone < kBoneCount; ++bone) {
+    TriangleMesh& piece = pieces[index(bone)];
     if (piece.triangles.empty()) continue;
     piece.vertices = hand.rest_surface.vertices;
-    piece = without_unused_vertices(piece);
-    const Rigid3d flat_from_rest = bones[bone].inverse();
+    const Rigid3d flat_from_rest = bones[index(bone)].inverse();
     for (Eigen::Vector3d& vertex : piece.vertices) vertex = flat_from_rest * vertex;
-    close_holes(piece);
+    const auto first_joint = static_cast<std::uint32_t>(piece.vertices.size());
+    for (int joint = 0; joint < kBoneCount; ++joint) {
+      piece.vertices.push_back(hand.skeleton.keypoints[index(proximal_keypoint(joint))]);
+    }
+    std::vector<Edge> unjoined;
+    for (const Edge& edge : open_edges(piece.triangles)) {
+      const auto other = bone_along.find({edge.second, edge.first});
+      if (other == bone_along.end() || !is_joined(bone, other->second)) {
+        unjoined.push_back(edge);
+        continue;
+      }
+      const auto joint = static_cast<std::uint32_t>(std::max(bone, other->second));
+      piece.triangles.push_back({edge.second, edge.first, first_joint + joint});
+    }
+    close_holes(unjoined, piece);
+    piece = without_unused_vertices(piece);
   }
   return pieces;
 }

@@ -10,9 +10,10 @@
 namespace tegata {
 
 /// The hand's surface cut into one closed piece a bone, as rigid links need them: each triangle
-/// goes with the bone that moves its corners most, each hole is closed by a fan. At the hand's rest
-/// angles the pieces are its surface again; here each lies where its bone is at zero angles, in the
-/// hand's frame [m]. A piece is empty where no triangle goes with its bone. No normals.
+/// goes with the bone that moves its corners most; pieces meet only at joints, where they are
+/// closed towards the joint's centre, other holes towards their middle. At the hand's rest angles
+/// the pieces are the hand again; here each lies where its bone is at zero angles, in the hand's
+/// frame [m]. A piece is empty where no triangle goes with its bone. No normals.
 std::array<TriangleMesh, kBoneCount> bone_pieces(const HandModel& hand);
 
 /// Of a solid of even density.
