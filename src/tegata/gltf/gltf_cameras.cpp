@@ -23,13 +23,14 @@ tinygltf::Value list(std::initializer_list<double> numbers) {
 }  // namespace
 
 int add_gltf_camera(const Camera& camera, tinygltf::Model& model) {
-  constexpr double kNearest = 0.01;  // [m]; beyond it everything is drawn
+  constexpr double kNearest = 0.01, kFarthest = 100.0;  // what is drawn [m]
   tinygltf::Camera described;
   described.name = camera.name;
   described.type = "perspective";
   described.perspective.yfov = 2.0 * std::atan(0.5 * camera.height / camera.fy);
   described.perspective.aspectRatio = camera.width * camera.fy / (camera.height * camera.fx);
   described.perspective.znear = kNearest;
+  described.perspective.zfar = kFarthest;
   tinygltf::Value::Object extras;
   extras["matrix"] = list({camera.fx, camera.fy, camera.cx, camera.cy});
   extras["size"] = list({static_cast<double>(camera.width), static_cast<double>(camera.height)});

@@ -293,7 +293,8 @@ void write_hand_gltf(const HandModel& hand, const std::vector<HandKeyframe>& key
   add_animation(hand.skeleton, frames, keyframes, model);
   add_visibility(keyframes, model);
   for (const Camera& camera : cameras) {
-    model.nodes[kTurnNode].children.push_back(add_gltf_camera(camera, model));
+    const int node = add_gltf_camera(camera, model);  // moves the nodes
+    model.nodes[kTurnNode].children.push_back(node);
   }
   tinygltf::Scene scene;
   scene.nodes = {kTurnNode, kMeshNode};
