@@ -29,6 +29,8 @@ void add_info_command(CLI::App& program);
 void add_picture_command(CLI::App& program);
 void add_hull_command(CLI::App& program);
 void add_hand_command(CLI::App& program);
+void add_report_command(CLI::App& program);
+void add_view_command(CLI::App& program);
 
 /// What every subcommand understands.
 struct CommonOptions {

@@ -5,27 +5,24 @@
 #include <charconv>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "progress.h"
+#include "report.h"
 #include "tegata/base/stopwatch.h"
-#include "tegata/export/report_page.h"
+#include "tegata/export/report_json.h"
 #include "tegata/export/result_folder.h"
+#include "tegata/export/viewer_page.h"
 #include "tegata/hand/scaled_hand.h"
 #include "tegata/mesh/mesh_file.h"
 #include "tegata/pipeline/fit_take.h"
-#include "tegata/pipeline/overlays.h"
-#include "tegata/take/picture_file.h"
 #include "tegata/take/staged_folder.h"
 
 namespace tegata {
 namespace {
-
-constexpr std::size_t kReportFrames = 8;
-constexpr int kReportPictureWidth = 480;
-constexpr int kReportJpegQuality = 80;
 
 /// "auto" (nothing) or a factor.
 std::optional<double> parse_scale(const std::string& value) {
@@ -46,17 +43,14 @@ struct Arguments {
   CommonOptions common;
 };
 
-void write_report(Take& take, const Result& result, const HandModel& hand,
-                  const std::optional<SegmentationMethod>& segmentation,
-                  const std::filesystem::path& file) {
-  std::vector<ReportPicture> pictures;
-  // Without an observer: what there is to warn of was said when the frames were fitted.
-  for (const Overlay& overlay : draw_overlays(
-           take, result, hand, {kReportFrames, kReportPictureWidth, segmentation}, Observer{})) {
-    pictures.push_back(
-        {overlay.frame, overlay.camera, encode_jpeg(overlay.picture, kReportJpegQuality)});
-  }
-  write_report_page(result, pictures, file);
+/// Has the fit hand over its hulls: whole to the folder where asked for, coarse to the report.
+void keep_hulls(FitTakeOptions& options, const std::filesystem::path& folder, std::size_t count,
+                std::map<std::string, TriangleMesh>* for_report) {
+  if (!folder.empty()) std::filesystem::create_directory(folder);
+  options.on_hull = [=](const std::string& frame, const TriangleMesh& hull) {
+    if (!folder.empty()) write_ply(hull, folder / (frame + ".ply"));
+    if (for_report != nullptr) (*for_report)[frame] = report_hull(hull, count);
+  };
 }
 
 void print_json(const Arguments& arguments, const Result& result, double seconds) {
@@ -103,13 +97,15 @@ void run(Arguments& arguments) {
   FitTakeOptions& options = arguments.options;
   options.threads = arguments.common.threads;
   options.fit.grasp = grasp_constraint_from_name(arguments.grasp);
-  if (arguments.hulls) {
-    const std::filesystem::path hulls = folder.path() / "hulls";
-    std::filesystem::create_directory(hulls);
-    options.on_hull = [hulls](const std::string& frame, const TriangleMesh& hull) {
-      write_ply(hull, hulls / (frame + ".ply"));
-    };
+  if (!arguments.no_report && viewer_page().empty()) {
+    arguments.no_report = true;
+    if (!arguments.common.quiet) {
+      std::cerr << "no report.html: this program was built without it (TEGATA_VIEWER=OFF)\n";
+    }
   }
+  std::map<std::string, TriangleMesh> hulls;
+  keep_hulls(options, arguments.hulls ? folder.path() / "hulls" : std::filesystem::path{},
+             take.frame_names().size(), arguments.no_report ? nullptr : &hulls);
   Result result;
   {
     Progress progress(arguments.common.quiet);
@@ -117,7 +113,11 @@ void run(Arguments& arguments) {
     const HandModel hand = scaled(asked, result.model_scale);
     write_result_files(result, hand, folder.path(), take.rig());
     if (!arguments.no_report) {
-      write_report(take, result, hand, options.segmentation, folder.path() / "report.html");
+      // What there is to warn of was said when the frames were fitted.
+      Observer observer = progress.observer();
+      observer.on_warning = nullptr;
+      write_report(result, hand, {&take, options.segmentation, std::move(hulls), options.threads},
+                   folder.path() / "report.html", observer);
     }
   }
   folder.commit();

@@ -21,6 +21,8 @@ int main(int argc, char** argv) {
   tegata::add_picture_command(program);
   tegata::add_hull_command(program);
   tegata::add_hand_command(program);
+  tegata::add_report_command(program);
+  tegata::add_view_command(program);
   try {
     program.parse(argc, argv);
     std::cout.flush();

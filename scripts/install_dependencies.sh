@@ -11,12 +11,16 @@ packages=(
   g++ cmake ninja-build
   libeigen3-dev libtbb-dev libmeshoptimizer-dev
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev
-  libopencv-videoio-dev
+  libopencv-videoio-dev libopencv-contrib-dev libceres-dev
   nlohmann-json3-dev libtomlplusplus-dev libyaml-cpp-dev libtinygltf-dev libcli11-dev libfmt-dev
 )
+# The report page is built with npm; a Node that is there already, from anywhere, is good enough.
+if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
+  packages+=(nodejs npm)
+fi
 case "${1:-}" in
   '') ;;
-  test) packages+=(git libgtest-dev clang-14 libclang-rt-14-dev clang-format-14) ;;
+  test) packages+=(git libgtest-dev clang-14 libclang-rt-14-dev clang-format-14 chromium) ;;
   bench) packages+=(libvtk9-dev libcgal-dev libopenvdb-dev libnanoflann-dev libopen3d-dev) ;;
   *)
     echo "install_dependencies.sh: got '$1', expected nothing, 'test' or 'bench'" >&2

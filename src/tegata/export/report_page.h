@@ -4,23 +4,17 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
+#include <string_view>
 
-#include "tegata/image/image.h"
-#include "tegata/take/result.h"
+#include "tegata/export/report_json.h"
 
 namespace tegata {
 
-/// A picture of the report: which frame and camera it shows and its JPEG bytes.
-struct ReportPicture {
-  std::string frame, camera;
-  std::vector<std::uint8_t> jpeg;
-};
+/// A page of viewer_page() with the data in its place. Throws Error where the template has none.
+std::string report_page(std::string_view page, std::string_view json);
 
-/// Writes report.html: one page that carries everything it shows and needs no network: a summary,
-/// the frames with their status and overlaps, joint angles over time, support of each bone by
-/// frame, pictures.
-void write_report_page(const Result& result, const std::vector<ReportPicture>& pictures,
-                       const std::filesystem::path& file);
+/// Writes report.html: one page that carries everything it shows and needs no network. Throws Error
+/// where the program was built without the page.
+void write_report_page(const ReportContent& content, const std::filesystem::path& file);
 
 }  // namespace tegata

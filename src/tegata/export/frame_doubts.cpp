@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/export/frame_doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tegata {
+namespace {
+
+constexpr double kLeastOverlap = 0.5, kLeastDrop = 0.15, kLeastJump = 0.03;
+constexpr double kSigmaOfDeviation = 1.4826;  // of a normal distribution
+constexpr std::size_t kEnoughViews = 3, kFramesAround = 5;
+
+using Reason = std::pair<double, std::string>;  // severity, words
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// What a camera's overlap is in the frames around one, and how much it varies there. Overlaps
+/// change slowly, as a held object hides more of the hand from one side than from another.
+struct Usual {
+  double overlap = 0.0, sigma = 0.0;
+};
+
+Usual usual_overlap(const Result& result, const std::string& camera, std::size_t around) {
+  const std::size_t first = around - std::min(around, kFramesAround);
+  const std::size_t end = std::min(result.frames.size(), around + kFramesAround + 1);
+  std::vector<double> values;
+  for (std::size_t i = first; i < end; ++i) {
+    const auto found = result.frames[i].silhouette_iou.find(camera);
+    if (found != result.frames[i].silhouette_iou.end()) values.push_back(found->second);
+  }
+  const double middle = median(values);
+  for (double& value : values) value = std::abs(value - middle);
+  return {middle, kSigmaOfDeviation * median(values)};
+}
+
+/// How far each wrist lies off the middle of the one before and the one after [m]; negative where
+/// one of the three is missing. A single jump shows half as large in its neighbours.
+std::vector<double> wrist_jumps(const std::vector<ResultFrame>& frames) {
+  std::vector<double> jumps(frames.size(), -1.0);
+  for (std::size_t i = 1; i + 1 < frames.size(); ++i) {
+    if (!frames[i - 1].pose || !frames[i].pose || !frames[i + 1].pose) continue;
+    const auto wrist = [&frames](std::size_t at) {
+      return frames[at].pose->world_from_hand.translation;
+    };
+    jumps[i] = (wrist(i) - 0.5 * (wrist(i - 1) + wrist(i + 1))).norm();
+  }
+  return jumps;
+}
+
+double usual_jump(std::vector<double> jumps) {
+  std::erase_if(jumps, [](double jump) { return jump < 0.0; });
+  return median(jumps);
+}
+
+double usual_view_count(const Result& result) {
+  std::vector<double> counts;
+  for (const ResultFrame& frame : result.frames) {
+    if (frame.pose) counts.push_back(static_cast<double>(frame.views.size()));
+  }
+  return median(counts);
+}
+
+void doubt_overlaps(const Result& result, std::size_t index, double& severity,
+                    std::vector<Reason>& reasons) {
+  for (const auto& [camera, overlap] : result.frames[index].silhouette_iou) {
+    const Usual expected = usual_overlap(result, camera, index);
+    const double drop = expected.overlap - overlap;
+    const double missing = 0.9 * std::clamp(1.0 - overlap, 0.0, 1.0);
+    severity = std::max(severity, missing);
+    if (drop > std::max(kLeastDrop, 4.0 * expected.sigma)) {
+      reasons.emplace_back(missing, fmt::format("overlap in {} {:.2f}, around it {:.2f}", camera,
+                                                overlap, expected.overlap));
+    } else if (overlap < kLeastOverlap) {
+      reasons.emplace_back(missing, fmt::format("overlap in {} only {:.2f}", camera, overlap));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<FrameDoubt> frame_doubts(const Result& result) {
+  const std::vector<double> jumps = wrist_jumps(result.frames);
+  const double jump_limit = std::max(kLeastJump, 6.0 * usual_jump(jumps));
+  const double view_count = usual_view_count(result);
+  std::vector<FrameDoubt> doubts;
+  for (std::size_t i = 0; i < result.frames.size(); ++i) {
+    const ResultFrame& frame = result.frames[i];
+    double severity = 0.0;
+    std::vector<Reason> reasons;
+    if (!frame.pose) {
+      severity = 1.0;
+      reasons.emplace_back(1.0, frame.status);
+    } else {
+      if (frame.status != "ok") reasons.emplace_back(0.95, frame.status);
+      doubt_overlaps(result, i, severity, reasons);
+      if (frame.views.size() < kEnoughViews &&
+          static_cast<double>(frame.views.size()) < view_count) {
+        reasons.emplace_back(0.5, fmt::format("seen by {} cameras only", frame.views.size()));
+      }
+      if (jumps[i] > jump_limit && jumps[i] >= std::max(jumps[i - 1], jumps[i + 1])) {
+        reasons.emplace_back(0.6, fmt::format("the wrist jumps by {:.0f} mm", 1e3 * jumps[i]));
+      }
+    }
+    std::stable_sort(reasons.begin(), reasons.end(),
+                     [](const Reason& a, const Reason& b) { return a.first > b.first; });
+    FrameDoubt doubt{i, severity, {}};
+    for (const auto& [weight, words] : reasons) {
+      doubt.severity = std::max(doubt.severity, weight);
+      doubt.reasons.push_back(words);
+    }
+    doubts.push_back(std::move(doubt));
+  }
+  return doubts;
+}
+
+std::size_t worst_frame(const std::vector<FrameDoubt>& doubts) {
+  // A frame that is not to be trusted is worse than any other, whatever their overlaps.
+  const auto rank = [](const FrameDoubt& doubt) {
+    return std::pair(!doubt.reasons.empty(), doubt.severity);
+  };
+  const auto worst = std::max_element(
+      doubts.begin(), doubts.end(),
+      [&rank](const FrameDoubt& a, const FrameDoubt& b) { return rank(a) < rank(b); });
+  return worst == doubts.end() ? 0 : worst->frame;
+}
+
+FitVerdict fit_verdict(const Result& result, const std::vector<FrameDoubt>& doubts) {
+  FitVerdict verdict;
+  std::size_t overlap_count = 0;
+  for (const FrameDoubt& doubt : doubts) {
+    if (!doubt.reasons.empty()) continue;
+    ++verdict.trusted;
+    for (const auto& [camera, overlap] : result.frames[doubt.frame].silhouette_iou) {
+      verdict.mean_overlap += overlap;
+      ++overlap_count;
+    }
+  }
+  if (overlap_count > 0) verdict.mean_overlap /= static_cast<double>(overlap_count);
+  const double share =
+      doubts.empty() ? 0.0
+                     : static_cast<double>(verdict.trusted) / static_cast<double>(doubts.size());
+  // A cold object eats up to half of a silhouette; what is left must still be covered.
+  verdict.word = share >= 0.9 && verdict.mean_overlap >= 0.75  ? "good"
+                 : share >= 0.6 && verdict.mean_overlap >= 0.6 ? "fair"
+                                                               : "poor";
+  verdict.sentence = fmt::format("{} of {} frames can be trusted.", verdict.trusted, doubts.size());
+  return verdict;
+}
+
+}  // namespace tegata

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/export/frame_doubts.h"
+
+#include <gtest/gtest.h>
+
+#include "tegata/base/text.h"
+
+namespace tegata {
+namespace {
+
+/// A hand that moves evenly before three cameras.
+Result even_result(std::size_t frame_count) {
+  Result result;
+  for (std::size_t i = 0; i < frame_count; ++i) {
+    ResultFrame frame;
+    frame.name = text("frame", i);
+    frame.pose.emplace().world_from_hand.translation.x() = 0.02 * static_cast<double>(i);
+    frame.views = {"a", "b", "c"};
+    const double wobble = 0.02 * static_cast<double>(i % 3);
+    frame.silhouette_iou = {{"a", 0.9 - wobble}, {"b", 0.8 + wobble}, {"c", 0.95}};
+    result.frames.push_back(frame);
+  }
+  return result;
+}
+
+std::string only_reason(const FrameDoubt& doubt) {
+  return doubt.reasons.size() == 1 ? doubt.reasons.front() : text(doubt.reasons.size(), " reasons");
+}
+
+TEST(FrameDoubts, EvenResultIsTrusted) {
+  const Result result = even_result(12);
+  const auto doubts = frame_doubts(result);
+  for (const FrameDoubt& doubt : doubts) EXPECT_TRUE(doubt.reasons.empty()) << doubt.frame;
+  EXPECT_EQ(fit_verdict(result, doubts).word, "good");
+  EXPECT_EQ(fit_verdict(result, doubts).sentence, "12 of 12 frames can be trusted.");
+}
+
+TEST(FrameDoubts, OneBrokenCameraIsNamed) {
+  Result result = even_result(12);
+  result.frames[7].silhouette_iou["b"] = 0.55;
+  const auto doubts = frame_doubts(result);
+  EXPECT_EQ(worst_frame(doubts), 7u);
+  EXPECT_EQ(only_reason(doubts[7]), "overlap in b 0.55, around it 0.82");
+  EXPECT_TRUE(doubts[6].reasons.empty() && doubts[8].reasons.empty());
+  EXPECT_EQ(fit_verdict(result, doubts).trusted, 11u);
+}
+
+TEST(FrameDoubts, ObjectThatSlowlyHidesHalfOfTheHandIsNoDoubt) {
+  Result result = even_result(40);
+  for (std::size_t i = 0; i < 40; ++i) {
+    result.frames[i].silhouette_iou["a"] = 0.97 - 0.011 * static_cast<double>(i);
+  }
+  EXPECT_EQ(fit_verdict(result, frame_doubts(result)).trusted, 40u);
+  for (const std::size_t broken : {30u, 31u, 32u}) result.frames[broken].silhouette_iou["a"] = 0.44;
+  result.frames[10].silhouette_iou["a"] = 0.7;
+  const auto doubts = frame_doubts(result);
+  EXPECT_EQ(fit_verdict(result, doubts).trusted, 36u);
+  EXPECT_EQ(only_reason(doubts[10]), "overlap in a 0.70, around it 0.86");
+}
+
+TEST(FrameDoubts, CameraThatIsAlwaysWrongIsNotUsual) {
+  Result result = even_result(6);
+  for (ResultFrame& frame : result.frames) frame.silhouette_iou["b"] = 0.3;
+  const auto doubts = frame_doubts(result);
+  EXPECT_EQ(only_reason(doubts[2]), "overlap in b only 0.30");
+  EXPECT_EQ(fit_verdict(result, doubts).word, "poor");
+}
+
+TEST(FrameDoubts, JumpAndMissingViewsAreSaid) {
+  Result result = even_result(12);
+  result.frames[4].pose->world_from_hand.translation.y() = 0.08;
+  result.frames[9].views = {"a", "c"};
+  const auto doubts = frame_doubts(result);
+  EXPECT_EQ(only_reason(doubts[4]), "the wrist jumps by 80 mm");
+  EXPECT_TRUE(doubts[3].reasons.empty() && doubts[5].reasons.empty());
+  EXPECT_EQ(only_reason(doubts[9]), "seen by 2 cameras only");
+}
+
+TEST(FrameDoubts, FrameWithoutAPoseIsTheWorst) {
+  Result result = even_result(5);
+  result.frames[1].silhouette_iou["a"] = 0.01;
+  result.frames[3].pose.reset();
+  result.frames[3].silhouette_iou.clear();
+  result.frames[3].status = "no hand found";
+  const auto doubts = frame_doubts(result);
+  EXPECT_EQ(worst_frame(doubts), 3u);
+  EXPECT_EQ(only_reason(doubts[3]), "no hand found");
+}
+
+TEST(FrameDoubts, ResultWithoutFramesOrPosesHasAVerdict) {
+  Result result = even_result(1);
+  EXPECT_EQ(fit_verdict(result, frame_doubts(result)).word, "good");
+  result.frames[0] = ResultFrame{};
+  EXPECT_EQ(fit_verdict(result, frame_doubts(result)).word, "poor");
+  result.frames.clear();
+  EXPECT_EQ(worst_frame(frame_doubts(result)), 0u);
+  EXPECT_EQ(fit_verdict(result, {}).word, "poor");
+}
+
+}  // namespace
+}  // namespace tegata

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the cameras saw, with the outlines of the silhouette and of the fitted hand over it.
+import { element, toggle } from './element';
+import { bytesOf, shortsOf } from './packed';
+import type { Player } from './player';
+import type { Camera, Picture, Report } from './report';
+
+const PICTURES_KEPT = 96;
+const FRAMES_AHEAD = 2;
+/** Over infrared and colour pictures alike, in the light look and in the dark one. */
+const HAND = '#ff8c00';
+const SILHOUETTE = '#46c8ff';
+
+/** Lines in a picture that is 1 wide and high; see packed_outlines() of report_json.cpp. */
+function outlinePath(packed: string, width: number, height: number): Path2D {
+  const numbers = shortsOf(packed);
+  const place = (i: number) => (numbers[i] / 65535) * 17 - 8;
+  const path = new Path2D();
+  for (let at = 0; at < numbers.length; ) {
+    const end = at + 1 + 2 * numbers[at];
+    for (let i = at + 1; i + 1 < end; i += 2) path.lineTo(place(i) * width, place(i + 1) * height);
+    path.closePath();
+    at = end;
+    if (at + 1 < numbers.length) path.moveTo(place(at + 1) * width, place(at + 2) * height);
+  }
+  return path;
+}
+
+/** Decodes pictures and keeps those that were asked for last. */
+class Decoder {
+  private readonly kept = new Map<Picture, Promise<ImageBitmap>>();
+
+  get(picture: Picture): Promise<ImageBitmap> {
+    const known = this.kept.get(picture);
+    this.kept.delete(picture);
+    const bitmap = known ?? createImageBitmap(new Blob([bytesOf(picture.jpeg)], { type: 'image/jpeg' }));
+    this.kept.set(picture, bitmap);
+    if (this.kept.size > PICTURES_KEPT) {
+      const [oldest, dropped] = this.kept.entries().next().value as [Picture, Promise<ImageBitmap>];
+      this.kept.delete(oldest);
+      dropped.then((image) => image.close(), () => {});
+    }
+    return bitmap;
+  }
+}
+
+interface Wanted {
+  hand: boolean;
+  silhouette: boolean;
+}
+
+/** One camera's picture. */
+class CameraPicture {
+  readonly figure: HTMLElement;
+  private readonly canvas: HTMLCanvasElement;
+  private readonly caption = element('figcaption');
+  private shown = -1;
+
+  constructor(
+    private readonly report: Report,
+    private readonly camera: Camera,
+    private readonly index: number,
+    private readonly decoder: Decoder,
+    private readonly wanted: Wanted,
+  ) {
+    const [, , width, height] = camera.window;
+    // Twice what most windows have, so that outlines are sharp.
+    const scale = Math.max(1, Math.min(3, 800 / width));
+    this.canvas = element('canvas', {
+      width: Math.round(width * scale), height: Math.round(height * scale),
+      role: 'img', 'aria-label': `Picture of ${camera.name} with outlines`,
+    });
+    this.figure = element('figure', {}, this.canvas, this.caption);
+  }
+
+  show(frame: number): void {
+    this.shown = frame;
+    const { pose, pictures } = this.report.frames[frame];
+    const picture = pictures.get(this.index);
+    const overlap = pose?.overlap.get(this.camera.name);
+    this.caption.replaceChildren(
+      element('span', {}, this.camera.name),
+      element('span', { class: overlap !== undefined && overlap < 0.5 ? 'doubtful' : 'soft' },
+        overlap === undefined ? 'not used in this frame' : `overlap ${overlap.toFixed(2)}`),
+    );
+    if (!picture) {
+      this.say('no picture of this frame in the page');
+      return;
+    }
+    this.decoder.get(picture).then(
+      (bitmap) => {
+        if (this.shown === frame) this.draw(picture, bitmap);
+      },
+      () => {
+        if (this.shown === frame) this.say('this picture cannot be decoded');
+      },
+    );
+  }
+
+  private context(): CanvasRenderingContext2D {
+    this.canvas.dataset['frame'] = this.report.frames[this.shown].name;
+    return this.canvas.getContext('2d') as CanvasRenderingContext2D;
+  }
+
+  private draw(picture: Picture, bitmap: ImageBitmap): void {
+    const context = this.context();
+    const { width, height } = this.canvas;
+    context.drawImage(bitmap, 0, 0, width, height);
+    context.lineJoin = 'round';
+    context.lineWidth = Math.max(2, width / 320);
+    const stroke = (packed: string, colour: string) => {
+      context.strokeStyle = colour;
+      context.stroke(outlinePath(packed, width, height));
+    };
+    if (this.wanted.silhouette) stroke(picture.silhouette, SILHOUETTE);
+    if (this.wanted.hand) stroke(picture.hand, HAND);
+  }
+
+  private say(text: string): void {
+    const context = this.context();
+    const { width, height } = this.canvas;
+    context.fillStyle = '#222';
+    context.fillRect(0, 0, width, height);
+    context.fillStyle = '#ccc';
+    context.font = `${Math.round(width / 24)}px system-ui, sans-serif`;
+    context.textAlign = 'center';
+    context.fillText(text, width / 2, height / 2);
+  }
+}
+
+export function pictureWall(report: Report, player: Player): HTMLElement {
+  const decoder = new Decoder();
+  const wanted: Wanted = { hand: true, silhouette: true };
+  const pictures = report.cameras.map(
+    (camera, index) => new CameraPicture(report, camera, index, decoder, wanted),
+  );
+  const show = (frame: number) => {
+    for (const picture of pictures) picture.show(frame);
+  };
+  player.onFrame((frame) => {
+    show(frame);
+    for (let ahead = frame - FRAMES_AHEAD; ahead <= frame + FRAMES_AHEAD; ++ahead) {
+      // What cannot be decoded is said when it is shown.
+      for (const picture of report.frames[ahead]?.pictures.values() ?? []) {
+        decoder.get(picture).catch(() => {});
+      }
+    }
+  });
+  const outlineToggle = (name: string, key: keyof Wanted) => {
+    const made = toggle(name, true, (isWanted) => {
+      wanted[key] = isWanted;
+      show(player.frame);
+    });
+    made.classList.add('key', key);
+    return made;
+  };
+  return element(
+    'section',
+    { class: 'pictures card' },
+    element('div', { class: 'tools' },
+      outlineToggle('Fitted hand', 'hand'), outlineToggle('Silhouette', 'silhouette')),
+    element('div', { class: pictures.length > 3 ? 'wall many' : 'wall' },
+      ...pictures.map((picture) => picture.figure)),
+  );
+}
