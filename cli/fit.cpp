@@ -13,6 +13,8 @@
 #include "progress.h"
 #include "report.h"
 #include "tegata/base/stopwatch.h"
+#include "tegata/export/fit_summary.h"
+#include "tegata/export/frame_doubts.h"
 #include "tegata/export/report_json.h"
 #include "tegata/export/result_folder.h"
 #include "tegata/export/viewer_page.h"
@@ -58,6 +60,9 @@ void print_json(const Arguments& arguments, const Result& result, double seconds
   json["result"] = arguments.result;
   json["frames"] = result.frames.size();
   json["statuses"] = count_statuses(result);
+  const FitVerdict verdict = fit_verdict(result, frame_doubts(result));
+  json["verdict"] = verdict.word;
+  json["trusted"] = verdict.trusted;
   json["silhouette_iou"] = mean_overlaps(result);
   json["iterations"] = result.iterations;
   json["termination"] = result.termination;
@@ -70,22 +75,22 @@ void print_json(const Arguments& arguments, const Result& result, double seconds
 }
 
 void print_summary(const Arguments& arguments, const Result& result, double seconds) {
-  const std::map<std::string, int> statuses = count_statuses(result);
-  const int ok = statuses.contains("ok") ? statuses.at("ok") : 0;
-  std::cout << fmt::format("{} of {} frames are ok, after {:.1f} s; the fit ended with: {}\n", ok,
-                           result.frames.size(), seconds, result.termination);
-  for (const auto& [status, count] : statuses) {
-    if (status != "ok") std::cout << fmt::format("  {} not: {}\n", count, status);
-  }
-  if (ok > 0) {
-    std::cout << fmt::format("mean silhouette overlap: {}\n", overlap_text(mean_overlaps(result)));
-  }
+  std::cout << fit_summary(result);
   if (result.model_scale_standard_deviation) {
     std::cout << fmt::format("scale of the hand: {:.3f}, give or take {:.3f}\n", result.model_scale,
                              *result.model_scale_standard_deviation);
   }
-  std::cout << fmt::format("result in {}: {}angles.csv, hand.glb, meshes, result.json\n",
-                           arguments.result, arguments.no_report ? "" : "report.html, ");
+  std::cout << fmt::format("after {:.1f} s the fit ended with: {}\n", seconds, result.termination);
+  std::cout << fmt::format("result in {}: angles.csv, hand.glb, meshes, result.json\n",
+                           arguments.result);
+  if (arguments.no_report) {
+    std::cout << fmt::format("look at it: tegata picture {} --take {}{}{} -o picture.png\n",
+                             arguments.result, arguments.take,
+                             arguments.hand_file.empty() ? "" : " --hand ", arguments.hand_file);
+  } else {
+    std::cout << fmt::format("look at {}\n",
+                             (std::filesystem::path(arguments.result) / "report.html").string());
+  }
 }
 
 void run(Arguments& arguments) {
