@@ -20,7 +20,10 @@ if ! command -v node >/dev/null || ! command -v npm >/dev/null; then
 fi
 case "${1:-}" in
   '') ;;
-  test) packages+=(git libgtest-dev clang-14 libclang-rt-14-dev clang-format-14 chromium) ;;
+  test)
+    packages+=(git libgtest-dev clang-14 libclang-rt-14-dev clang-format-14 chromium
+      liburdfdom-tools python3-numpy)
+    ;;
   bench) packages+=(libvtk9-dev libcgal-dev libopenvdb-dev libnanoflann-dev libopen3d-dev) ;;
   *)
     echo "install_dependencies.sh: got '$1', expected nothing, 'test' or 'bench'" >&2
