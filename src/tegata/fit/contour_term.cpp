@@ -19,6 +19,14 @@ constexpr float kSameBorderPx = 0.25F;
 // An outline point and a contour point belong together if they face the same way within 60 degrees.
 constexpr double kLeastNormalProduct = 0.5;
 
+// How far beside a border what hides the hand is looked for.
+constexpr double kBesidePx = 3.0;
+
+bool is_hidden(const OutlinePoint& point, const Eigen::Vector2d& pixel, const FitView& view) {
+  return view.hiding_depth &&
+         view.is_hidden(pixel, (view.camera.camera_from_world * point.point).z());
+}
+
 class OutlineSum {
  public:
   OutlineSum(const PosedHand& posed, const ShapeMotion* shape, const FitView& view,
@@ -71,12 +79,13 @@ void add_outline_to_silhouette(const std::vector<OutlinePoint>& outline, const F
   for (const OutlinePoint& point : outline) {
     if (!point.beyond_wrist) continue;
     const double x = point.pixel.x(), y = point.pixel.y();
-    const float gap = sample_bilinear(view.hand_distance, x, y);
-    if (std::abs(gap - sample_bilinear(view.possible_distance, x, y)) > kSameBorderPx) continue;
-    const Eigen::Vector2d gradient(0.5 * (sample_bilinear(view.hand_distance, x + 1.0, y) -
-                                          sample_bilinear(view.hand_distance, x - 1.0, y)),
-                                   0.5 * (sample_bilinear(view.hand_distance, x, y + 1.0) -
-                                          sample_bilinear(view.hand_distance, x, y - 1.0)));
+    const float gap = sample_bilinear(*view.hand_distance, x, y);
+    if (gap < 0.0F && is_hidden(point, point.pixel, view)) continue;
+    if (std::abs(gap - sample_bilinear(*view.possible_distance, x, y)) > kSameBorderPx) continue;
+    const Eigen::Vector2d gradient(0.5 * (sample_bilinear(*view.hand_distance, x + 1.0, y) -
+                                          sample_bilinear(*view.hand_distance, x - 1.0, y)),
+                                   0.5 * (sample_bilinear(*view.hand_distance, x, y + 1.0) -
+                                          sample_bilinear(*view.hand_distance, x, y - 1.0)));
     // The distance falls outwards; a border that faces another way is another finger's.
     if (-gradient.dot(point.normal) < kLeastNormalProduct) {
       sum.add_unmatched();
@@ -117,13 +126,17 @@ const OutlinePoint* nearest_facing(const std::vector<OutlinePoint>& outline,
 
 // Contour points of the silhouette against the nearest outline point that faces the same way.
 void add_silhouette_to_outline(const std::vector<OutlinePoint>& outline, const FitView& view,
-                               OutlineSum& sum) {
-  for (const ContourPoint& contour_point : view.contour) {
+                               std::size_t step, OutlineSum& sum) {
+  for (std::size_t i = 0; i < view.contour.size(); i += step) {
+    const ContourPoint& contour_point = view.contour[i];
     const OutlinePoint* point = nearest_facing(outline, contour_point);
     if (point == nullptr || !point->beyond_wrist) {
       sum.add_unmatched();
       continue;
     }
+    // Where the hand goes on behind something, its border is that one's.
+    const Eigen::Vector2d beside = contour_point.pixel + kBesidePx * contour_point.normal;
+    if (is_hidden(*point, beside, view)) continue;
     const Eigen::Vector2d difference = point->pixel - contour_point.pixel;
     const double gap = -contour_point.normal.dot(difference);
     sum.add(*point, gap, -contour_point.normal, difference.norm(), gap > 0.0);
@@ -135,14 +148,17 @@ void add_silhouette_to_outline(const std::vector<OutlinePoint>& outline, const F
 void add_contour_term(const FitHand& hand, const PosedHand& posed, const FitView& view,
                       const ContourTermOptions& options, FrameEquations& equations,
                       const ShapeMotion* shape) {
-  const std::vector<OutlinePoint> outline = hand_outline(hand, posed, view.camera);
+  const auto step = static_cast<std::size_t>(options.coarseness);
+  const std::vector<OutlinePoint> outline =
+      hand_outline(hand, posed, view.camera, options.coarseness);
   if (outline.empty() || view.contour.empty()) return;
   OutlineSum outline_sum(posed, shape, view, options, static_cast<double>(outline.size()),
                          hand.scale, equations);
   add_outline_to_silhouette(outline, view, outline_sum);
-  OutlineSum contour_sum(posed, shape, view, options, static_cast<double>(view.contour.size()),
-                         hand.scale, equations);
-  add_silhouette_to_outline(outline, view, contour_sum);
+  OutlineSum contour_sum(posed, shape, view, options,
+                         static_cast<double>((view.contour.size() + step - 1) / step), hand.scale,
+                         equations);
+  add_silhouette_to_outline(outline, view, step, contour_sum);
 }
 
 }  // namespace tegata

@@ -19,6 +19,9 @@ struct ContourTermOptions {
   double violation_sigma = 0.01;
   double standard_deviation = 0.0008;  ///< of a seen outline off the hand's [m]
   double weight = 1.0;                 ///< of the whole term
+  /// Every so manieth point of the seen contour is asked, and the hand's outline is looked for in a
+  /// picture of it that is so many times smaller: far from the end all tell no more.
+  int coarseness = 1;
 };
 
 /// The outline in one picture, both ways: for each point of the hand's outline the distance to the

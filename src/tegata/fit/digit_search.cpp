@@ -3,6 +3,7 @@
 #include "tegata/fit/digit_search.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,11 @@ namespace tegata {
 namespace {
 
 // More frames, or finer stages than the first, tell little more of which of two bends is better.
-constexpr std::size_t kTrialFrames = 4;
+constexpr std::size_t kTrialFrames = 6;
+// Steps after which proposals are compared, and how many of them are followed to the end.
+constexpr int kFirstSteps = 3;
+constexpr std::size_t kFollowed = 3;
+constexpr int kMostRounds = 4;
 // A bend must win by so much of the energy; less is chance.
 constexpr double kLeastGain = 0.002;
 
@@ -22,19 +27,40 @@ DigitAngles digit_angles(const JointAngles& angles, int digit) {
   return angles.segment<kAnglesPerDigit>(kAnglesPerDigit * digit);
 }
 
-// What a digit may be instead of what it is.
-std::vector<DigitAngles> other_bends(const JointAngles& angles, int digit) {
-  std::vector<DigitAngles> bends;
-  if (digit == 0) {
-    for (const JointAngles& typical : typical_angles()) bends.push_back(digit_angles(typical, 0));
-    return bends;
+JointAngles with_bend(JointAngles angles, int digit, DigitAngles bend) {
+  // A finger is spread from its neighbours, not like them.
+  if (digit > 0) bend[0] = relaxed_angles()[kAnglesPerDigit * digit];
+  angles.segment<kAnglesPerDigit>(kAnglesPerDigit * digit) = bend;
+  return angles;
+}
+
+// What the angles may be instead: digits that took the place of others come out as bent like these,
+// and what took two fingers for one has one too many in the right place.
+std::vector<JointAngles> proposals(const JointAngles& angles) {
+  std::vector<JointAngles> proposed;
+  for (const JointAngles& typical : typical_angles()) {
+    for (int digit = 0; digit < kDigitCount; ++digit) {
+      proposed.push_back(with_bend(angles, digit, digit_angles(typical, digit)));
+    }
   }
-  const int before = digit > 1 ? digit - 1 : digit + 1;
-  const int behind = digit + 1 < kDigitCount ? digit + 1 : digit - 1;
-  DigitAngles mean = 0.5 * (digit_angles(angles, before) + digit_angles(angles, behind));
-  mean[0] = relaxed_angles()[kAnglesPerDigit * digit];  // spread from neighbours, not like them
-  bends.push_back(mean);
-  return bends;
+  for (int digit = 1; digit < kDigitCount; ++digit) {
+    for (int other = 1; other < kDigitCount; ++other) {
+      if (std::abs(other - digit) > 2 || other == digit) continue;
+      proposed.push_back(with_bend(angles, digit, digit_angles(angles, other)));
+    }
+  }
+  for (int digit = 1; digit + 1 < kDigitCount; ++digit) {
+    const DigitAngles first = digit_angles(angles, digit), second = digit_angles(angles, digit + 1);
+    proposed.push_back(with_bend(with_bend(angles, digit, second), digit + 1, first));
+  }
+  for (int like = 1; like < kDigitCount; ++like) {
+    JointAngles all = angles;
+    for (int digit = 1; digit < kDigitCount; ++digit) {
+      all = with_bend(all, digit, digit_angles(angles, like));
+    }
+    proposed.push_back(all);
+  }
+  return proposed;
 }
 
 SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames,
@@ -47,6 +73,33 @@ SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames
   }
   report.iterations = iterations;
   return report;
+}
+
+struct Trial {
+  HandEstimate estimate;
+  double energy = 0.0;
+};
+
+// The best of what the proposals for an estimate become.
+std::optional<Trial> best_trial(const FitHand& hand, std::span<const FitFrame* const> frames,
+                                const FitStage& stage, int threads, const HandEstimate& estimate) {
+  FitStage first_steps = stage;
+  first_steps.most_iterations = kFirstSteps;
+  std::vector<Trial> trials;
+  for (const JointAngles& angles : proposals(estimate.angles)) {
+    Trial& trial = trials.emplace_back(Trial{{angles, estimate.world_from_hand}});
+    trial.energy = minimise(hand, frames, first_steps, threads, trial.estimate).energy;
+  }
+  std::stable_sort(trials.begin(), trials.end(),
+                   [](const Trial& a, const Trial& b) { return a.energy < b.energy; });
+  trials.resize(std::min(trials.size(), kFollowed));
+  for (Trial& trial : trials) {
+    trial.energy = minimise(hand, frames, stage, threads, trial.estimate).energy;
+  }
+  const auto best =
+      std::min_element(trials.begin(), trials.end(),
+                       [](const Trial& a, const Trial& b) { return a.energy < b.energy; });
+  return best == trials.end() ? std::nullopt : std::optional(*best);
 }
 
 }  // namespace
@@ -66,16 +119,13 @@ std::optional<SolverReport> reseat_digits(const FitHand& hand,
   const FitSchedule coarse{{schedule.stages.front()}};
   double energy = settle(hand, few, coarse, threads, best).energy;
   bool is_any_better = false;
-  for (int digit = 0; digit < kDigitCount; ++digit) {
-    for (const DigitAngles& bend : other_bends(best.angles, digit)) {
-      HandEstimate trial = best;
-      trial.angles.segment<kAnglesPerDigit>(kAnglesPerDigit * digit) = bend;
-      const double trial_energy = settle(hand, few, coarse, threads, trial).energy;
-      if (trial_energy > (1.0 - kLeastGain) * energy) continue;
-      energy = trial_energy;
-      best = std::move(trial);
-      is_any_better = true;
-    }
+  for (int round = 0; round < kMostRounds; ++round) {
+    const std::optional<Trial> better =
+        best_trial(hand, few, schedule.stages.front(), threads, best);
+    if (!better || better->energy > (1.0 - kLeastGain) * energy) break;
+    energy = better->energy;
+    best = better->estimate;
+    is_any_better = true;
   }
   if (!is_any_better) return std::nullopt;
 
@@ -83,7 +133,8 @@ std::optional<SolverReport> reseat_digits(const FitHand& hand,
   HandEstimate after{best.angles, estimate.world_from_hand};
   const SolverReport report = settle(hand, frames, schedule, threads, after);
   last.most_iterations = 0;
-  if (report.energy >= minimise(hand, frames, last, threads, estimate).energy) return std::nullopt;
+  const double energy_before = minimise(hand, frames, last, threads, estimate).energy;
+  if (report.energy > (1.0 - kLeastGain) * energy_before) return std::nullopt;
   estimate = std::move(after);
   return report;
 }

@@ -53,16 +53,16 @@ TEST(DigitSearch, AFingerInItsNeighboursPlaceFindsItsOwn) {
   }
 }
 
-TEST(DigitSearch, WhereNothingIsBetterNothingIsTouched) {
+TEST(DigitSearch, FingersInTheirPlaceStayThere) {
   const Scene scene = turning_hand(2);
-  const HandEstimate before = estimate_of(scene);
-  HandEstimate after = before;
   const FitHand hand(test::coarse_hand());
-  EXPECT_FALSE(reseat_digits(hand, scene.pointers, grasp_schedule(), 0, after).has_value());
-  EXPECT_EQ(after.angles, before.angles);
-  for (std::size_t f = 0; f < scene.truth.size(); ++f) {
-    EXPECT_EQ(after.world_from_hand[f].translation, before.world_from_hand[f].translation);
+  HandEstimate before = estimate_of(scene);
+  for (const FitStage& stage : grasp_schedule().stages) {
+    minimise(hand, scene.pointers, stage, 0, before);
   }
+  HandEstimate after = before;
+  reseat_digits(hand, scene.pointers, grasp_schedule(), 0, after);
+  EXPECT_LT((after.angles - before.angles).cwiseAbs().maxCoeff(), 0.02);
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ std::vector<SurfaceEdge> unique_edges(const TriangleMesh& mesh) {
 FitHand::FitHand(const HandModel& hand)
     : model(&hand),
       rows(std::make_shared<const SkinRows>(hand)),
-      edges(unique_edges(hand.rest_surface)) {
+      edges(unique_edges(hand.rest_surface)),
+      capsules(hand) {
   const auto& keypoints = hand.skeleton.keypoints;
   scale = (keypoints[kMiddleTip] - keypoints[kWrist]).norm() / kReferenceLength;
   beyond_wrist.reserve(hand.rest_surface.vertices.size());
@@ -51,6 +52,7 @@ FitHand FitHand::with_model(const HandModel& hand) const {
   FitHand other = *this;
   other.model = &hand;
   other.rows = std::make_shared<const SkinRows>(hand);
+  other.capsules = DigitCapsules(hand);
   return other;
 }
 

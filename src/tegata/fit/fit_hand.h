@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "tegata/fit/penetration_term.h"
 #include "tegata/hand/hand_model.h"
 #include "tegata/hand/skin_rows.h"
 
@@ -21,7 +22,8 @@ struct SurfaceEdge {
 struct FitHand {
   explicit FitHand(const HandModel& hand);
   PosedHand posed(const HandPose& pose) const { return {*model, pose, rows}; }
-  /// The same with a model of another shape that has the same triangles; `scale` and `samples` stay.
+  /// The same with a model of another shape that has the same triangles; `scale` and `samples`
+  /// stay.
   FitHand with_model(const HandModel& hand) const;
 
   const HandModel* model;
@@ -35,6 +37,7 @@ struct FitHand {
   std::vector<std::uint8_t> beyond_wrist;
   /// Vertices beyond the wrist all over the surface, a few hundred: the hull asks no more.
   std::vector<std::uint32_t> samples;
+  DigitCapsules capsules;
 };
 
 }  // namespace tegata

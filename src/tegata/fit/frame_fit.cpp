@@ -15,6 +15,9 @@ namespace {
 // images against the prior.
 constexpr double kIndependentResiduals = 30.0;
 
+// Contours with a wider kernel [m] are looked at less closely.
+constexpr double kFineSigma = 0.004;
+
 FitStage hull_stage(double sigma, int most_iterations) {
   FitStage stage;
   stage.hull = HullTermOptions{.sigma = sigma, .weight = kIndependentResiduals};
@@ -25,8 +28,10 @@ FitStage hull_stage(double sigma, int most_iterations) {
 FitStage contour_stage(double sigma, double violation_sigma, int most_iterations) {
   FitStage stage = hull_stage(0.006, most_iterations);
   stage.hull->weight *= 0.3;
-  stage.contour = ContourTermOptions{
-      .sigma = sigma, .violation_sigma = violation_sigma, .weight = kIndependentResiduals};
+  stage.contour = ContourTermOptions{.sigma = sigma,
+                                     .violation_sigma = violation_sigma,
+                                     .weight = kIndependentResiduals,
+                                     .coarseness = sigma > kFineSigma ? 2 : 1};
   return stage;
 }
 
@@ -49,6 +54,12 @@ FitSchedule contour_first_schedule() {
 
 FitSchedule grasp_schedule() {
   return {{contour_stage(0.006, 0.012, 15), contour_stage(0.0025, 0.008, 25)}};
+}
+
+FitSchedule object_schedule() {
+  FitSchedule schedule = grasp_schedule();
+  for (FitStage& stage : schedule.stages) stage.hull.reset();
+  return schedule;
 }
 
 FitSchedule scale_schedule() {

@@ -19,6 +19,9 @@ FitSchedule hull_first_schedule();
 FitSchedule contour_first_schedule();
 /// For estimates that are already near.
 FitSchedule grasp_schedule();
+/// For estimates that are near, where what hides the hand is known: the hull, which lacks what is
+/// hidden, is not asked.
+FitSchedule object_schedule();
 /// For estimates by a hand of another size, then of another shape.
 FitSchedule scale_schedule();
 FitSchedule shape_schedule();

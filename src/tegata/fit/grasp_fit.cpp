@@ -22,6 +22,11 @@ constexpr double kLostEnergyRatio = 2.0;
 // Measured: over 15 simulated takes (three grasps, five seeds, three infrared cameras, ten frames)
 // 68 % of the true angles lie within one deviation.
 constexpr double kDeviationScale = 2.2;
+// A pose that is farther than this from where an evenly moving hand would have it is sought there.
+constexpr double kJumpAngle = 0.06;    // [rad]
+constexpr double kJumpLength = 0.005;  // [m]
+// The object is found better once the hand is, and the hand once the object is.
+constexpr int kObjectRounds = 3;
 // How far the angles may leave what is known of them [rad], stage by stage: a turning hand is first
 // followed nearly stiff, as nothing else moves the fingers' surfaces as far. After the last entry
 // the last one holds.
@@ -129,11 +134,11 @@ JointAngles standard_deviations(const SolverReport& report) {
 }
 
 SolverReport fit_together(const FitHand& hand, std::span<const FitFrame* const> frames,
-                          const GraspFitOptions& options, HandEstimate& estimate) {
+                          const FitSchedule& schedule, int threads, HandEstimate& estimate) {
   SolverReport report;
   int iterations = 0;
-  for (const FitStage& stage : options.all_frames.stages) {
-    report = minimise(hand, frames, stage, options.threads, estimate);
+  for (const FitStage& stage : schedule.stages) {
+    report = minimise(hand, frames, stage, threads, estimate);
     iterations += report.iterations;
   }
   report.iterations = iterations;
@@ -166,19 +171,86 @@ bool seek_suspects(const FitHand& hand, std::span<const FitFrame* const> frames,
   return is_any_elsewhere;
 }
 
+// Where a frame's pose would be if the hand moved evenly through its neighbours; at either end, if
+// it went on as it goes between the two next ones.
+Rigid3d expected_pose(const std::vector<Rigid3d>& poses, std::size_t f) {
+  const std::size_t last = poses.size() - 1;
+  if (f == 0) return extrapolated(poses[2], poses[1]);
+  if (f == last) return extrapolated(poses[last - 2], poses[last - 1]);
+  const Rigid3d &before = poses[f - 1], &after = poses[f + 1];
+  return {before.rotation.slerp(0.5, after.rotation),
+          0.5 * (before.translation + after.translation)};
+}
+
+// Seeks frames that a hand which moves evenly would have elsewhere from there, with the angles and
+// the object known: what hides the hand may look as if the hand were beside where it is.
+void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
+                const HiddenObject& object, const GraspFitOptions& options,
+                HandEstimate& estimate) {
+  if (frames.size() < 3) return;
+  const FitSchedule schedule =
+      holding({options.with_object}, estimate.angles, kKnownDeviations).front();
+  const auto fit_from = [&](std::size_t f, const Rigid3d& start) {
+    const FitFrame* const one[] = {frames[f]};
+    const std::vector<FitFrame> hidden =
+        frames_with_object(one, {estimate.angles, {start}}, object, options.threads);
+    return fit_frame(hand, hidden.front(), {start, estimate.angles}, schedule);
+  };
+  const std::vector<Rigid3d> poses = estimate.world_from_hand;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const Rigid3d expected = expected_pose(poses, f);
+    if (expected.rotation.angularDistance(poses[f].rotation) < kJumpAngle &&
+        (expected.translation - poses[f].translation).norm() < kJumpLength * hand.scale) {
+      continue;
+    }
+    const FrameFit there = fit_from(f, expected), here = fit_from(f, poses[f]);
+    if (there.report.energy < here.report.energy) {
+      estimate.world_from_hand[f] = there.pose.world_from_hand;
+    }
+  }
+}
+
+// Lets all frames settle by a schedule and seeks suspects anew; with `reseats` fingers are tried in
+// other places as well.
+SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames,
+                    const FitSchedule& schedule, bool reseats, const GraspFitOptions& options,
+                    HandEstimate& estimate) {
+  SolverReport report = fit_together(hand, frames, schedule, options.threads, estimate);
+  int iterations = report.iterations;
+  if (reseats) {
+    if (const std::optional<SolverReport> better =
+            reseat_digits(hand, frames, schedule, options.threads, estimate)) {
+      report = *better;
+      iterations += report.iterations;
+    }
+  }
+  if (seek_suspects(hand, frames, report.frame_energies, options, estimate)) {
+    report = fit_together(hand, frames, schedule, options.threads, estimate);
+    iterations += report.iterations;
+  }
+  report.iterations = iterations;
+  return report;
+}
+
 void fit_all_frames(const FitHand& hand, std::span<const FitFrame* const> frames,
                     const std::vector<FrameFit>& fits, const GraspFitOptions& options,
                     GraspFit& grasp) {
   HandEstimate estimate = median_estimate(fits);
-  SolverReport report = fit_together(hand, frames, options, estimate);
+  SolverReport report = settle(hand, frames, options.all_frames, false, options, estimate);
   grasp.iterations = report.iterations;
-  if (const std::optional<SolverReport> better =
-          reseat_digits(hand, frames, options.all_frames, options.threads, estimate)) {
-    report = *better;
-    grasp.iterations += report.iterations;
-  }
-  if (seek_suspects(hand, frames, report.frame_energies, options, estimate)) {
-    report = fit_together(hand, frames, options, estimate);
+  for (int round = 0; round < kObjectRounds; ++round) {
+    grasp.object = find_hidden_object(hand, frames, estimate, options.object, options.threads);
+    if (grasp.object.surface.triangles.empty()) {
+      report = settle(hand, frames, options.all_frames, true, options, estimate);
+      grasp.iterations += report.iterations;
+      break;
+    }
+    seek_jumps(hand, frames, grasp.object, options, estimate);
+    const std::vector<FitFrame> hidden =
+        frames_with_object(frames, estimate, grasp.object, options.threads);
+    std::vector<const FitFrame*> pointers;
+    for (const FitFrame& frame : hidden) pointers.push_back(&frame);
+    report = settle(hand, pointers, options.with_object, round == 0, options, estimate);
     grasp.iterations += report.iterations;
   }
   grasp.termination = report.termination;

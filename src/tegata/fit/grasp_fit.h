@@ -8,6 +8,7 @@
 
 #include "tegata/base/observer.h"
 #include "tegata/fit/frame_fit.h"
+#include "tegata/fit/hidden_object.h"
 #include "tegata/fit/start.h"
 
 namespace tegata {
@@ -21,6 +22,9 @@ struct GraspFitOptions {
   GraspConstraint grasp = GraspConstraint::fixed;
   std::vector<FitSchedule> frame = {hull_first_schedule(), contour_first_schedule()};
   FitSchedule all_frames = grasp_schedule();
+  /// Once the object is known that hides the hand.
+  FitSchedule with_object = object_schedule();
+  HiddenObjectOptions object;
   int threads = 0;
 };
 
@@ -28,6 +32,7 @@ struct GraspFit {
   std::vector<HandPose> poses;      ///< one a frame
   JointAngles angles;               ///< shared, or the mean of the frames'
   JointAngles standard_deviations;  ///< of `angles` [rad]
+  HiddenObject object;              ///< empty with a free grasp
   int iterations = 0;
   Termination termination = Termination::iteration_limit;
   double frame_seconds = 0.0, all_frames_seconds = 0.0;
@@ -38,7 +43,8 @@ struct GraspFit {
 /// where that fits far worse than frames did before; then all frames at once with one set of
 /// angles, so that frames in which something hides a finger lose their influence on it. Fingers are
 /// then tried in other places, frames that fit worse than the others sought anew with the angles
-/// known, and all fitted once more.
+/// known, and all fitted once more. Then what hides the hand is found by what it hides, and what
+/// lies behind it says nothing any more.
 /// `frames` must not be empty and each needs a hull; throws Error otherwise.
 GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
                    const GraspFitOptions& options, const Observer& observer);

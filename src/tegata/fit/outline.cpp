@@ -16,18 +16,37 @@ namespace {
 // one.
 constexpr double kProbePx = 1.5;
 
-bool covered(const Silhouette& silhouette, const Eigen::Vector2d& pixel) {
-  const int x = static_cast<int>(std::lround(pixel.x()));
-  const int y = static_cast<int>(std::lround(pixel.y()));
-  return silhouette.contains(x, y) && silhouette(x, y) == PixelLabel::hand;
-}
+// A camera's picture of the hand, smaller than the camera's own.
+struct DrawnHand {
+  DrawnHand(const PosedHand& posed, const Camera& camera, int coarseness)
+      : scale(1.0 / coarseness),
+        silhouette(render_silhouette(posed.vertices(), posed.model().rest_surface.triangles,
+                                     smaller(camera, coarseness), Faces::front)) {}
+
+  bool covers(const Eigen::Vector2d& pixel) const {
+    const int x = static_cast<int>(std::lround(scale * (pixel.x() + 0.5) - 0.5));
+    const int y = static_cast<int>(std::lround(scale * (pixel.y() + 0.5) - 0.5));
+    return silhouette.contains(x, y) && silhouette(x, y) == PixelLabel::hand;
+  }
+  static Camera smaller(Camera camera, int coarseness) {
+    camera.width = (camera.width + coarseness - 1) / coarseness;
+    camera.height = (camera.height + coarseness - 1) / coarseness;
+    camera.fx /= coarseness;
+    camera.fy /= coarseness;
+    camera.cx = (camera.cx + 0.5) / coarseness - 0.5;
+    camera.cy = (camera.cy + 0.5) / coarseness - 0.5;
+    return camera;
+  }
+
+  double scale;
+  Silhouette silhouette;
+};
 
 }  // namespace
 
 std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& posed,
-                                       const Camera& camera) {
-  const Silhouette seen = render_silhouette(posed.vertices(), posed.model().rest_surface.triangles,
-                                            camera, Faces::front);
+                                       const Camera& camera, int coarseness) {
+  const DrawnHand drawn(posed, camera, coarseness);
   const Eigen::Vector3d eye = camera.center_in_world();
   const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
   const std::vector<Eigen::Vector3d>& normals = posed.normals();
@@ -52,8 +71,8 @@ std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& pos
     const Eigen::Vector2d direction =
         (camera.camera_from_world.rotation * normal).head<2>().normalized();
     if (!direction.allFinite()) continue;
-    if (covered(seen, *pixel + kProbePx * direction)) continue;
-    if (!covered(seen, *pixel - kProbePx * direction)) continue;
+    if (drawn.covers(*pixel + kProbePx * direction)) continue;
+    if (!drawn.covers(*pixel - kProbePx * direction)) continue;
     point.pixel = *pixel;
     point.normal = direction;
     point.beyond_wrist = hand.beyond_wrist[edge.a] != 0 && hand.beyond_wrist[edge.b] != 0;

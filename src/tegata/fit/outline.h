@@ -28,9 +28,10 @@ struct OutlinePoint {
 /// The outline of the hand in a camera without distortion. Found on the edges of the surface along
 /// which the normal passes from towards the camera to away from it; of these, those with the hand
 /// on one side in the picture and nothing on the other. Points that the picture does not show are
-/// left out. Sorted by the pixels' x.
+/// left out. Sorted by the pixels' x. What is on either side is looked up in a picture of the hand
+/// that is `coarseness` times smaller than the camera's.
 std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& posed,
-                                       const Camera& camera);
+                                       const Camera& camera, int coarseness = 1);
 
 /// d (along . point) / d pose and angles.
 HandRow outline_row(const PosedHand& posed, const OutlinePoint& point,

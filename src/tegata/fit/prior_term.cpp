@@ -28,7 +28,7 @@ ParameterRow unit_row(int angle) {
 }  // namespace
 
 void add_prior_term(const JointAngles& angles, const PriorTermOptions& options,
-                    FrameEquations& equations) {
+                    std::size_t frame_count, FrameEquations& equations) {
   const AngleLimits& limits = angle_limits();
   for (int k = 0; k < kAngleCount; ++k) {
     const ParameterRow row = unit_row(k);
@@ -36,7 +36,8 @@ void add_prior_term(const JointAngles& angles, const PriorTermOptions& options,
                           : angles[k] < limits.lower[k] ? angles[k] - limits.lower[k]
                                                         : 0.0;
     if (beyond != 0.0) {
-      add_quadratic(beyond, row, options.limit_standard_deviation, options.weight, equations);
+      add_quadratic(beyond, row, options.limit_standard_deviation,
+                    options.weight * static_cast<double>(frame_count), equations);
     }
     add_quadratic(
         angles[k] - relaxed_angles()[k], row,

@@ -18,11 +18,11 @@ TEST(PriorTerm, GradientIsTheFiniteDifferenceOfTheEnergy) {
   angles[7] = angle_limits().lower[7] - 0.1;
   const auto energy = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     FrameEquations equations;
-    add_prior_term(x, options, equations);
+    add_prior_term(x, options, 3, equations);
     return Eigen::VectorXd::Constant(1, equations.cost);
   };
   FrameEquations equations;
-  add_prior_term(angles, options, equations);
+  add_prior_term(angles, options, 3, equations);
   const Eigen::MatrixXd expected = finite_difference_jacobian(energy, angles);
   EXPECT_LT((equations.gradient.tail<kAngleCount>().transpose() - expected).norm(), 1e-5);
   EXPECT_EQ(equations.gradient.head<kPoseParameterCount>().norm(), 0.0);
@@ -37,7 +37,7 @@ TEST(PriorTerm, LimitsPushBackFromEitherSideOnly) {
     angles[angle] =
         off > 0.0 ? angle_limits().upper[angle] + off : angle_limits().lower[angle] + off;
     FrameEquations equations;
-    add_prior_term(angles, options, equations);
+    add_prior_term(angles, options, 3, equations);
     return equations.gradient[kPoseParameterCount + angle];
   };
   EXPECT_GT(gradient_beyond(0.1, 5), 1.0);

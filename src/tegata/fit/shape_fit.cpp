@@ -146,7 +146,8 @@ class Problem {
     for (std::size_t g = 0; g < grasps_.size(); ++g) {
       GraspEquations& grasp = result.grasps.emplace_back();
       grasp.frames.assign(grasps_[g].frames.size(), nothing);
-      add_prior_term(estimate.grasps[g].angles, stage_->prior, grasp.prior);
+      add_angle_terms(hand, estimate.grasps[g].angles, *stage_, grasps_[g].frames.size(),
+                      grasp.prior);
     }
     parallel_for(all_frames_.size(), threads_, [&](std::size_t i) {
       const auto [g, f] = all_frames_[i];

@@ -39,7 +39,7 @@ struct Problem {
       const PosedHand posed = hand.posed(estimate.pose(f));
       add_frame_terms(hand, posed, *frames[f], stage, result.frames[f]);
     });
-    add_prior_term(estimate.angles, stage.prior, result.prior);
+    add_angle_terms(hand, estimate.angles, stage, frames.size(), result.prior);
     return result;
   }
   ArrowStep step(const Linearisation& at, double damping) const {
@@ -82,6 +82,13 @@ void add_frame_terms(const FitHand& hand, const PosedHand& posed, const FitFrame
   if (stage.landmarks && frame.landmarks) {
     add_landmark_term(hand, posed, *frame.landmarks, *stage.landmarks, equations);
   }
+}
+
+void add_angle_terms(const FitHand& hand, const JointAngles& angles, const FitStage& stage,
+                     std::size_t frame_count, FrameEquations& equations) {
+  add_prior_term(angles, stage.prior, frame_count, equations);
+  add_penetration_term(hand.model->skeleton, hand.capsules, angles, stage.penetration, hand.scale,
+                       static_cast<double>(frame_count), equations);
 }
 
 double longest_turn(const ArrowStep& step) {

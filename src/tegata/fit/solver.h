@@ -13,6 +13,7 @@
 #include "tegata/fit/hull_term.h"
 #include "tegata/fit/landmark_term.h"
 #include "tegata/fit/normal_equations.h"
+#include "tegata/fit/penetration_term.h"
 #include "tegata/fit/prior_term.h"
 
 namespace tegata {
@@ -31,6 +32,7 @@ struct FitStage {
   std::optional<ContourTermOptions> contour;
   std::optional<LandmarkTermOptions> landmarks;
   PriorTermOptions prior;
+  PenetrationTermOptions penetration;
   int most_iterations = 20;
 };
 
@@ -48,6 +50,10 @@ struct SolverReport {
 void add_frame_terms(const FitHand& hand, const PosedHand& posed, const FitFrame& frame,
                      const FitStage& stage, FrameEquations& equations,
                      const ShapeMotion* shape = nullptr);
+
+/// What is known of the angles of a number of frames apart from any picture.
+void add_angle_terms(const FitHand& hand, const JointAngles& angles, const FitStage& stage,
+                     std::size_t frame_count, FrameEquations& equations);
 
 /// Steps and estimates of frames with one set of angles, for descend() (descent.h).
 /// The longest turn of a step [rad].

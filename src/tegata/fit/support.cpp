@@ -19,7 +19,7 @@ bool is_backed(const Eigen::Vector3d& vertex, const std::vector<FitView>& views)
     const auto pixel = project(view.camera, vertex);
     if (!pixel || !view.camera.contains(*pixel)) continue;
     is_shown = true;
-    if (sample_bilinear(view.hand_distance, pixel->x(), pixel->y()) < -kNearlyInsidePx) {
+    if (sample_bilinear(*view.hand_distance, pixel->x(), pixel->y()) < -kNearlyInsidePx) {
       return false;
     }
   }

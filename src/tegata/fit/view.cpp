@@ -2,12 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/fit/view.h"
 
+#include <cmath>
 #include <utility>
 
 #include "tegata/base/error.h"
 #include "tegata/image/distance_transform.h"
 
 namespace tegata {
+
+bool FitView::is_hidden(const Eigen::Vector2d& pixel, double depth) const {
+  if (!hiding_depth) return false;
+  const int x = static_cast<int>(std::lround(pixel.x()));
+  const int y = static_cast<int>(std::lround(pixel.y()));
+  return hiding_depth->contains(x, y) && (*hiding_depth)(x, y) < depth;
+}
 
 FitView make_fit_view(const Camera& camera, Silhouette silhouette) {
   if (camera.is_distorted() || silhouette.width() != camera.width ||
@@ -19,10 +27,10 @@ FitView make_fit_view(const Camera& camera, Silhouette silhouette) {
   }
   FitView view;
   view.camera = camera;
-  view.hand_distance =
-      signed_distance(silhouette, [](PixelLabel label) { return label == PixelLabel::hand; });
-  view.possible_distance =
-      signed_distance(silhouette, [](PixelLabel label) { return label != PixelLabel::background; });
+  view.hand_distance = std::make_shared<const Image<float>>(
+      signed_distance(silhouette, [](PixelLabel label) { return label == PixelLabel::hand; }));
+  view.possible_distance = std::make_shared<const Image<float>>(signed_distance(
+      silhouette, [](PixelLabel label) { return label != PixelLabel::background; }));
   view.contour = silhouette_contour(silhouette);
   view.silhouette = std::move(silhouette);
   return view;

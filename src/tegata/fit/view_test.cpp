@@ -24,8 +24,8 @@ TEST(FitView, DistancesPartWhereABorderIsUnknown) {
     for (int x = 5; x < 35; ++x) silhouette(x, y) = x < 20 ? PixelLabel::hand : PixelLabel::unknown;
   }
   const FitView view = make_fit_view(small_camera(), silhouette);
-  EXPECT_FLOAT_EQ(view.hand_distance(6, 15), view.possible_distance(6, 15));
-  EXPECT_LT(view.hand_distance(18, 15) + 3.0F, view.possible_distance(18, 15));
+  EXPECT_FLOAT_EQ((*view.hand_distance)(6, 15), (*view.possible_distance)(6, 15));
+  EXPECT_LT((*view.hand_distance)(18, 15) + 3.0F, (*view.possible_distance)(18, 15));
 }
 
 TEST(FitView, RefusesAnotherSizeAndADistortedCamera) {
