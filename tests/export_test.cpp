@@ -315,7 +315,8 @@ TEST_F(ExportCommand, RefusesAnotherHandThanTheFittedOne) {
 
 TEST_F(ExportCommand, TakesTheHandFromElsewhereWhereTheResultHasNone) {
   fs::remove(folder_ / "result/hand.glb");
-  expect_keypoints(urdf_keypoints((exported("urdf"), read_text(folder_ / "hand.urdf/hand.urdf")),
+  exported("urdf");
+  expect_keypoints(urdf_keypoints(read_text(folder_ / "hand.urdf/hand.urdf"),
                                   read_text(folder_ / "hand.urdf/joint_states.csv")),
                    result_, kTolerance);
 }
