@@ -28,6 +28,9 @@ void write_result_files(const Result& result, const HandModel& hand,
     keyframe.pose = *frame.pose;
     write_ply(PosedHand(hand, *frame.pose).surface(), meshes / (frame.name + ".ply"));
   }
+  if (!result.object.triangles.empty()) {
+    write_ply(result.object, folder / "object.ply", result.object_confidence);
+  }
   write_hand_gltf(hand, keyframes, folder / "hand.glb", cameras);
 }
 

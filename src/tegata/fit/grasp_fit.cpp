@@ -25,8 +25,6 @@ constexpr double kDeviationScale = 2.2;
 // A pose that is farther than this from where an evenly moving hand would have it is sought there.
 constexpr double kJumpAngle = 0.06;    // [rad]
 constexpr double kJumpLength = 0.005;  // [m]
-// The object is found better once the hand is, and the hand once the object is.
-constexpr int kObjectRounds = 3;
 // How far the angles may leave what is known of them [rad], stage by stage: a turning hand is first
 // followed nearly stiff, as nothing else moves the fingers' surfaces as far. After the last entry
 // the last one holds.
@@ -238,7 +236,7 @@ void fit_all_frames(const FitHand& hand, std::span<const FitFrame* const> frames
   HandEstimate estimate = median_estimate(fits);
   SolverReport report = settle(hand, frames, options.all_frames, false, options, estimate);
   grasp.iterations = report.iterations;
-  for (int round = 0; round < kObjectRounds; ++round) {
+  for (int round = 0; round < options.object_rounds; ++round) {
     grasp.object = find_hidden_object(hand, frames, estimate, options.object, options.threads);
     if (grasp.object.surface.triangles.empty()) {
       report = settle(hand, frames, options.all_frames, true, options, estimate);

@@ -25,6 +25,9 @@ struct GraspFitOptions {
   /// Once the object is known that hides the hand.
   FitSchedule with_object = object_schedule();
   HiddenObjectOptions object;
+  /// So often the object is found from the hand and the hand with the object. 0: neither it is
+  /// looked for, nor digits in other places: for estimates of the hand's size.
+  int object_rounds = 3;
   int threads = 0;
 };
 

@@ -50,19 +50,26 @@ void write_bytes(const std::string& bytes, const std::filesystem::path& file) {
 
 }  // namespace
 
-void write_ply(const TriangleMesh& mesh, const std::filesystem::path& file) {
+void write_ply(const TriangleMesh& mesh, const std::filesystem::path& file,
+               std::span<const float> confidence) {
   check_mesh(mesh);
+  if (!confidence.empty() && confidence.size() != mesh.vertices.size()) {
+    throw Error(file.string(), ": got confidences of ", confidence.size(), " vertices, expected ",
+                mesh.vertices.size());
+  }
   const bool has_normals = !mesh.normals.empty(), has_marks = !mesh.unproven.empty();
   std::string bytes =
       text("ply\nformat binary_little_endian 1.0\ncomment tegata mesh, metres\nelement vertex ",
            mesh.vertices.size(), "\nproperty float x\nproperty float y\nproperty float z\n",
            has_normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "",
-           has_marks ? "property uchar unproven\n" : "", "element face ", mesh.triangles.size(),
-           "\nproperty list uchar int vertex_indices\nend_header\n");
+           has_marks ? "property uchar unproven\n" : "",
+           confidence.empty() ? "" : "property float confidence\n", "element face ",
+           mesh.triangles.size(), "\nproperty list uchar int vertex_indices\nend_header\n");
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     put(bytes, mesh.vertices[v]);
     if (has_normals) put(bytes, mesh.normals[v]);
     if (has_marks) put(bytes, mesh.unproven[v]);
+    if (!confidence.empty()) put(bytes, confidence[v]);
   }
   for (const Triangle& t : mesh.triangles) {
     put(bytes, std::uint8_t{3});

@@ -3,14 +3,17 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "tegata/mesh/triangle_mesh.h"
 
 namespace tegata {
 
 /// Writes a binary little-endian PLY: float vertices [m], normals and marks where the mesh has
-/// them. Throws Error naming the file where it cannot be written whole.
-void write_ply(const TriangleMesh& mesh, const std::filesystem::path& file);
+/// them, and a `confidence` where there is one a vertex. Throws Error naming the file where it
+/// cannot be written whole.
+void write_ply(const TriangleMesh& mesh, const std::filesystem::path& file,
+               std::span<const float> confidence = {});
 
 /// Writes a Wavefront OBJ: v lines [m], vn lines where the mesh has normals, and f lines. Throws
 /// Error naming the file where it cannot be written whole.

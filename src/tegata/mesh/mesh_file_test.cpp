@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "tegata/base/error.h"
 #include "tegata/mesh/shapes_for_tests.h"
@@ -84,6 +87,23 @@ TEST_F(MeshFile, APlyComesBackAsItWasWritten) {
   }
   EXPECT_EQ(back.triangles, mesh.triangles);
   EXPECT_EQ(back.unproven, mesh.unproven);
+}
+
+TEST_F(MeshFile, ConfidencesFollowTheirVerticesAndDisturbNoReader) {
+  TriangleMesh mesh = shapes::unit_cube();
+  mesh.normals = vertex_normals(mesh);
+  const std::vector<float> confidence(mesh.vertices.size(), 0.25F);
+  write_ply(mesh, path(".ply"), confidence);
+  const TriangleMesh back = read_ply(path(".ply"));
+  EXPECT_EQ(back.vertices, mesh.vertices);
+  EXPECT_EQ(back.triangles, mesh.triangles);
+  std::ifstream stream(path(".ply"), std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+  const std::size_t first_vertex = bytes.find("end_header\n") + 11;
+  float value = 0.0F;
+  std::memcpy(&value, bytes.data() + first_vertex + 6 * sizeof(float), sizeof(float));
+  EXPECT_EQ(value, 0.25F);
+  EXPECT_THROW(write_ply(mesh, path(".ply"), std::span(confidence).first(3)), Error);
 }
 
 TEST_F(MeshFile, APlyWithoutNormalsAndMarksHasNone) {

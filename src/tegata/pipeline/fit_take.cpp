@@ -8,6 +8,7 @@
 #include "tegata/base/error.h"
 #include "tegata/fit/support.h"
 #include "tegata/hand/scaled_hand.h"
+#include "tegata/pipeline/check_calibration.h"
 #include "tegata/pipeline/size_hand.h"
 
 namespace tegata {
@@ -49,7 +50,7 @@ double sum_of(const std::vector<PreparedFrame>& frames, double PreparedFrame::*s
 Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& options,
                 const Observer& observer) {
   check_hand(hand_model);
-  const PreparedTake prepared = prepare_take(take, options, observer);
+  const PreparedTake prepared = prepare_checked_take(take, options, observer);
   const std::vector<const FitFrame*> frames = prepared.fit_frames();
   GraspFitOptions fit_options = options.fit;
   fit_options.threads = options.threads;
@@ -70,6 +71,8 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   result.model_name = hand_model.name;
   result.grasp_angles = grasp.angles;
   result.grasp_standard_deviations = grasp.standard_deviations;
+  result.object = grasp.object.surface;
+  result.object_confidence = grasp.object.confidence;
   result.iterations = grasp.iterations;
   result.termination = termination_name(grasp.termination);
   std::size_t next = 0;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tegata/hand/hand_model.h"
+#include "tegata/mesh/triangle_mesh.h"
 
 namespace tegata {
 
@@ -39,6 +40,10 @@ struct Result {
   JointAngles grasp_angles = JointAngles::Zero();               ///< [rad]
   JointAngles grasp_standard_deviations = JointAngles::Zero();  ///< [rad]
   std::vector<ResultFrame> frames;
+  /// What hides the hand without being seen, in the hand's frame [m], and how sure each vertex is;
+  /// empty where nothing was found. Not part of result.json.
+  TriangleMesh object;
+  std::vector<float> object_confidence;
   int iterations = 0;
   std::string termination;
   std::map<std::string, double> seconds;  ///< by stage
