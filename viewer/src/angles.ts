@@ -43,7 +43,7 @@ function shadeDoubts(plot: uPlot, player: Player): void {
   ctx.restore();
 }
 
-function optionsOf(report: Report, player: Player): Omit<uPlot.Options, 'width'> {
+function optionsOf(report: Report, player: Player, onDrawn: () => void): Omit<uPlot.Options, 'width'> {
   const line = (i: number) => () => colour(`--line${i}`);
   const band = (i: number) => () => colour(`--band${i}`);
   const four = [0, 1, 2, 3];
@@ -78,7 +78,7 @@ function optionsOf(report: Report, player: Player): Omit<uPlot.Options, 'width'>
       ...four.flatMap(() => [{ width: 0, points: { show: false } }, { width: 0, points: { show: false } }]),
     ],
     bands: four.map((i) => ({ series: [5 + 2 * i, 6 + 2 * i] as [number, number], fill: band(i) })),
-    hooks: { drawClear: [(plot) => shadeDoubts(plot, player)] },
+    hooks: { drawClear: [(plot) => shadeDoubts(plot, player)], draw: [onDrawn] },
   };
 }
 
@@ -102,14 +102,15 @@ function chart(report: Report, player: Player, digit: number): HTMLElement {
     if (plot) {
       plot.setSize({ width, height: HEIGHT });
     } else {
-      plot = new uPlot({ ...optionsOf(report, player), width }, columnsOf(report, digit), area);
+      // Where a frame is, the plot knows once it is drawn.
+      const options = optionsOf(report, player, () => mark(player.frame));
+      plot = new uPlot({ ...options, width }, columnsOf(report, digit), area);
       plot.over.append(position);
       onDrag(plot.over, (x) => {
         player.stop();
         if (plot) player.show(plot.posToVal(x, 'x'));
       });
     }
-    mark(player.frame);
   });
   onLook(() => plot?.redraw(false, true));
   player.onFrame((frame) => {

@@ -109,7 +109,7 @@ class CameraPicture {
     const { width, height } = this.canvas;
     context.drawImage(bitmap, 0, 0, width, height);
     context.lineJoin = 'round';
-    context.lineWidth = Math.max(2, width / 320);
+    context.lineWidth = Math.max(2, width / 180);
     const stroke = (packed: string, colour: string) => {
       context.strokeStyle = colour;
       context.stroke(outlinePath(packed, width, height));

@@ -177,7 +177,7 @@ export class HandScene {
     }
     // Cameras all around cancel out, and without cameras any direction is as good.
     if (towards.length() < 0.1) towards.set(0.3, -0.3, -1);
-    this.free.position.copy(center).addScaledVector(towards.normalize(), 4.4 * radius);
+    this.free.position.copy(center).addScaledVector(towards.normalize(), 3.5 * radius);
     this.controls.target.copy(center);
     this.controls.update();
     this.look(undefined);

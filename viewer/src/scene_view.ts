@@ -21,7 +21,8 @@ export function sceneView(report: Report, player: Player): HTMLElement {
   }
   scene.canvas.setAttribute('role', 'img');
   scene.canvas.setAttribute('aria-label', 'The fitted hand, its visual hull and the cameras');
-  const view = element('div', { class: 'view' }, scene.canvas);
+  const note = element('p', { class: 'note' });
+  const view = element('div', { class: 'view' }, scene.canvas, note);
 
   const views: HTMLButtonElement[] = [];
   const choose = (chosen: HTMLButtonElement, through: Camera | undefined) => {
@@ -50,7 +51,10 @@ export function sceneView(report: Report, player: Player): HTMLElement {
   }
   onResize(view, (width, height) => scene.resize(width, height));
   onLook(() => scene.applyLook());
-  player.onFrame((frame) => scene.show(frame));
+  player.onFrame((frame) => {
+    scene.show(frame);
+    note.textContent = report.frames[frame].pose ? '' : 'No pose was found in this frame.';
+  });
   return element(
     'section',
     { class: 'scene card' },

@@ -113,7 +113,7 @@ std::vector<FrameDoubt> frame_doubts(const Result& result) {
     }
     std::stable_sort(reasons.begin(), reasons.end(),
                      [](const Reason& a, const Reason& b) { return a.first > b.first; });
-    FrameDoubt doubt{i, severity, {}};
+    FrameDoubt doubt{i, severity, frame.pose.has_value(), {}};
     for (const auto& [weight, words] : reasons) {
       doubt.severity = std::max(doubt.severity, weight);
       doubt.reasons.push_back(words);
@@ -124,9 +124,9 @@ std::vector<FrameDoubt> frame_doubts(const Result& result) {
 }
 
 std::size_t worst_frame(const std::vector<FrameDoubt>& doubts) {
-  // A frame that is not to be trusted is worse than any other, whatever their overlaps.
   const auto rank = [](const FrameDoubt& doubt) {
-    return std::pair(!doubt.reasons.empty(), doubt.severity);
+    const int kind = doubt.reasons.empty() ? 0 : (doubt.has_pose ? 2 : 1);
+    return std::pair(kind, doubt.severity);
   };
   const auto worst = std::max_element(
       doubts.begin(), doubts.end(),

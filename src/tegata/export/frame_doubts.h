@@ -13,8 +13,9 @@ namespace tegata {
 
 /// What speaks against a frame of a result.
 struct FrameDoubt {
-  std::size_t frame = 0;             ///< position in Result::frames
-  double severity = 0.0;             ///< 0 nothing to say, 1 there is no pose
+  std::size_t frame = 0;  ///< position in Result::frames
+  double severity = 0.0;  ///< 0 nothing to say, 1 there is no pose
+  bool has_pose = false;
   std::vector<std::string> reasons;  ///< the worst first; empty where the frame is to be trusted
 };
 
@@ -30,7 +31,8 @@ struct FrameDoubt {
 /// The severity also orders the frames that are to be trusted.
 std::vector<FrameDoubt> frame_doubts(const Result& result);
 
-/// The frame with the highest severity, the first of equals; 0 where there are none.
+/// Where to look first: the most severe of the frames whose pose is not to be trusted; else one
+/// without a pose; else the most severe. The first of equals; 0 where there are no frames.
 std::size_t worst_frame(const std::vector<FrameDoubt>& doubts);
 
 /// What a person should think of a result: "good", "fair" or "poor".

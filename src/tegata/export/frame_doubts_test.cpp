@@ -77,15 +77,16 @@ TEST(FrameDoubts, JumpAndMissingViewsAreSaid) {
   EXPECT_EQ(only_reason(doubts[9]), "seen by 2 cameras only");
 }
 
-TEST(FrameDoubts, FrameWithoutAPoseIsTheWorst) {
+TEST(FrameDoubts, WrongPoseIsWorseThanNone) {
   Result result = even_result(5);
-  result.frames[1].silhouette_iou["a"] = 0.01;
   result.frames[3].pose.reset();
   result.frames[3].silhouette_iou.clear();
   result.frames[3].status = "no hand found";
   const auto doubts = frame_doubts(result);
   EXPECT_EQ(worst_frame(doubts), 3u);
   EXPECT_EQ(only_reason(doubts[3]), "no hand found");
+  result.frames[1].silhouette_iou["a"] = 0.3;
+  EXPECT_EQ(worst_frame(frame_doubts(result)), 1u);
 }
 
 TEST(FrameDoubts, ResultWithoutFramesOrPosesHasAVerdict) {
