@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/paper_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "tegata/base/error.h"
+#include "tegata/fit/test_scene.h"
+#include "tegata/math/finite_difference.h"
+
+namespace tegata {
+namespace {
+
+HandPose displaced(HandPose pose, double metres, double turn, double bend) {
+  pose.world_from_hand.translation += metres * Eigen::Vector3d(1.0, -1.0, 1.0).normalized();
+  pose.world_from_hand.rotation = so3_exp({0.0, turn, 0.0}) * pose.world_from_hand.rotation;
+  for (int digit = 0; digit < kDigitCount; ++digit) pose.angles[4 * digit + 1] -= bend;
+  return pose;
+}
+
+StartLandmarks landmarks_of(const HandModel& hand, const HandPose& pose) {
+  const auto keypoints = posed_keypoints(hand.skeleton, pose);
+  return {keypoints[0], keypoints[5], keypoints[17]};
+}
+
+// Hands that turn, their very surfaces for hulls, the first with landmarks that are a little off.
+struct Scene {
+  explicit Scene(std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      truth.push_back(test::grasping_pose(0.15 * static_cast<double>(k)));
+    }
+    known.resize(count);
+    known.front().landmarks = landmarks_of(hand, displaced(truth.front(), 0.006, 0.08, 0.0));
+    for (std::size_t k = 0; k < count; ++k) {
+      frames.emplace_back(known[k], PosedHand(hand, truth[k]).surface());
+    }
+  }
+  const HandModel& hand = test::coarse_hand();
+  FitHand fit_hand{hand};
+  std::vector<HandPose> truth;
+  std::vector<FitFrame> known;
+  std::vector<PaperFrame> frames;
+};
+
+TEST(PaperEnergy, SlopesAreThoseOfTheEnergy) {
+  const Scene scene(1);
+  const HandPose pose = displaced(scene.truth[0], 0.004, 0.06, 0.1);
+  const PaperEnergy energy{scene.fit_hand, scene.frames[0], 0.01};
+  const auto by_pose = [&](const Eigen::VectorXd& step) {
+    return Eigen::VectorXd::Constant(1, energy.by_pose(energy.moved(pose, step)).energy);
+  };
+  const auto by_angles = [&](const Eigen::VectorXd& angles) {
+    return Eigen::VectorXd::Constant(1, energy.by_angles({pose.world_from_hand, angles}).energy);
+  };
+  const Eigen::VectorXd of_pose = energy.by_pose(pose).gradient;
+  const Eigen::VectorXd of_angles = energy.by_angles(pose).gradient;
+  EXPECT_GT(of_pose.norm(), 1e-6);
+  EXPECT_GT(of_angles.norm(), 1e-6);
+  EXPECT_LT(
+      (finite_difference_jacobian(by_pose, Eigen::VectorXd::Zero(6)).transpose() - of_pose).norm(),
+      1e-3 * of_pose.norm());
+  EXPECT_LT((finite_difference_jacobian(by_angles, pose.angles).transpose() - of_angles).norm(),
+            1e-3 * of_angles.norm());
+}
+
+TEST(PaperFit, FindsASlightlyDisplacedHandAgain) {
+  const Scene scene(1);
+  const PaperFit fit = fit_paper(scene.fit_hand, scene.frames, {}, {});
+  EXPECT_LT(test::mean_keypoint_distance(scene.hand, fit.poses[0], scene.truth[0]), 0.003);
+  for (const double weight : fit.weights[0]) EXPECT_GT(weight, 0.8);
+}
+
+TEST(PaperFit, AllFramesShareOneSetOfAngles) {
+  const Scene scene(3);
+  const PaperFit fit = fit_paper(scene.fit_hand, scene.frames, {}, {});
+  ASSERT_EQ(fit.poses.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(fit.poses[k].angles, fit.angles);
+    EXPECT_LT(test::mean_keypoint_distance(scene.hand, fit.poses[k], scene.truth[k]), 0.003);
+  }
+  PaperFitOptions free;
+  free.grasp = GraspConstraint::free;
+  const PaperFit single = fit_paper(scene.fit_hand, scene.frames, free, {});
+  EXPECT_NE(single.poses[0].angles, single.poses[2].angles);
+  EXPECT_EQ(single.poses[2].angles, fit.single_poses[2].angles);
+}
+
+TEST(PaperFit, AFingerThatTheHullLacksLosesItsInfluence) {
+  Scene scene(2);
+  // The hull of the second frame without the distal bones of the index finger.
+  TriangleMesh hull = PosedHand(scene.hand, scene.truth[1]).surface();
+  std::erase_if(hull.triangles, [&](const Triangle& triangle) {
+    const int bone = main_bone(scene.hand.links[triangle[0]]);
+    return bone == 5 || bone == 6;
+  });
+  scene.frames[1] = PaperFrame(scene.known[1], hull);
+  const PaperFit fit = fit_paper(scene.fit_hand, scene.frames, {}, {});
+  EXPECT_LT(fit.weights[1][6], 0.6 * fit.weights[0][6]);
+  EXPECT_LT(test::mean_keypoint_distance(scene.hand, fit.poses[1], scene.truth[1]), 0.004);
+}
+
+TEST(PaperFit, DoesNotDependOnTheNumberOfThreads) {
+  const Scene scene(2);
+  PaperFitOptions one, two;
+  one.threads = 1;
+  two.threads = 2;
+  const PaperFit a = fit_paper(scene.fit_hand, scene.frames, one, {});
+  const PaperFit b = fit_paper(scene.fit_hand, scene.frames, two, {});
+  EXPECT_EQ(a.angles, b.angles);
+  EXPECT_EQ(a.poses[1].world_from_hand.translation, b.poses[1].world_from_hand.translation);
+}
+
+TEST(PaperFit, StaysWithinTheJointLimits) {
+  const Scene scene(2);
+  for (const HandPose& pose : fit_paper(scene.fit_hand, scene.frames, {}, {}).single_poses) {
+    EXPECT_TRUE((pose.angles.array() <= angle_limits().upper.array()).all());
+    EXPECT_TRUE((pose.angles.array() >= angle_limits().lower.array()).all());
+  }
+}
+
+TEST(PaperFit, RefusesNoFrames) {
+  const Scene scene(1);
+  EXPECT_THROW(fit_paper(scene.fit_hand, {}, {}, {}), Error);
+}
+
+}  // namespace
+}  // namespace tegata
