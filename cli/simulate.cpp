@@ -80,7 +80,7 @@ void add_simulate_command(CLI::App& program) {
       "simulate", "Make a take of a hand that turns an object in the virtual room");
   command->add_option("TAKE", arguments->take, "Folder to make")->required();
   command->add_option("--grasp", arguments->grasp, "What the hand does")
-      ->check(CLI::IsMember({"cylinder", "sphere", "pinch"}))
+      ->check(CLI::IsMember({"cylinder", "sphere", "pinch", "lateral"}))
       ->capture_default_str();
   command
       ->add_option("--mode", arguments->mode,

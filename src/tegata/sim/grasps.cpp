@@ -21,10 +21,11 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kThumb = 0, kIndex = 1, kMiddle = 2, kRing = 3, kLittle = 4;
 
-constexpr std::array<std::pair<SimulatedGrasp, std::string_view>, 3> kGraspNames = {{
+constexpr std::array<std::pair<SimulatedGrasp, std::string_view>, 4> kGraspNames = {{
     {SimulatedGrasp::cylinder, "cylinder"},
     {SimulatedGrasp::sphere, "sphere"},
     {SimulatedGrasp::pinch, "pinch"},
+    {SimulatedGrasp::lateral, "lateral"},
 }};
 
 // Where the digits would go with nothing in the way [deg].
@@ -44,6 +45,11 @@ constexpr Posture kPinching = {{{54.0, 8.0, 12.0, 18.0},
                                 {0.0, 60.0, 36.0, 18.0},
                                 {2.0, 42.0, 45.0, 20.0},
                                 {6.0, 42.0, 45.0, 20.0}}};
+constexpr Posture kLateral = {{{20.0, 10.0, 15.0, 20.0},
+                               {0.0, 42.0, 58.0, 28.0},
+                               {0.0, 52.0, 66.0, 34.0},
+                               {2.0, 58.0, 70.0, 36.0},
+                               {5.0, 62.0, 70.0, 36.0}}};
 
 // The digits of a right hand, the angles found so far, and where the seed's variation comes from.
 class ClosingHand {
@@ -264,6 +270,75 @@ Grasp pinch_grasp(const HandModel& hand, Random& random) {
   return {best->closing.angles(), best->held};
 }
 
+struct LateralGrip {
+  ClosingHand closing;
+  PlacedObject held;
+  double miss = 0.0;  // how far the thumb's pad is from the plate's middle line, and faces away [m]
+};
+
+// Lays a plate against the side of the index finger that faces the thumb, `along` of the way from
+// its PIP to its DIP joint, and closes the thumb on it. Most of the plate sticks out beyond both.
+LateralGrip lateral_from(ClosingHand closing, const HeldObject& object, double along) {
+  constexpr double kOut = 0.6;  // of the plate's half length is in front of the finger
+  closing.settle();
+  const auto keypoints = posed_keypoints(closing.hand().skeleton, HandPose{{}, closing.angles()});
+  const Eigen::Vector3d pip = keypoints[4 * kIndex + 2], dip = keypoints[4 * kIndex + 3];
+  const auto flexion =
+      joint_axes(closing.hand().skeleton, closing.angles())[4 * kIndex + 2].direction;
+  const Eigen::Vector3d bone = (dip - pip).normalized();
+  // Of the two ways along the flexion axis that away from the middle finger.
+  const Eigen::Vector3d sideways = flexion - flexion.dot(bone) * bone;
+  const double sign = sideways.dot(keypoints[4 * kMiddle + 2] - pip) > 0.0 ? -1.0 : 1.0;
+  Eigen::Matrix3d axes;
+  axes.col(2) = sign * sideways.normalized();
+  axes.col(0) = bone;
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  const double radius = closing.surface(kIndex).radius(1);
+  const Eigen::Vector3d gripped =
+      pip + along * (dip - pip) + (radius + object.half_size.z()) * axes.col(2);
+  PlacedObject held;
+  held.object = object;
+  held.hand_from_object = {Eigen::Quaterniond(axes),
+                           gripped + kOut * object.half_size.x() * axes.col(0)};
+  DigitGoal finger, thumb, beside;
+  beside.contact.setZero();
+  finger.contact = {0.0, 4.0, 0.0};
+  thumb.contact = {0.0, 0.0, 4.0};
+  const Eigen::Vector3d face = gripped + object.half_size.z() * axes.col(2);
+  thumb.tip_target = face + closing.surface(kThumb).radius(2) * axes.col(2);
+  closing.close(kMiddle, {}, beside, held);
+  closing.close(kIndex, {kMiddle}, finger, held);
+  closing.close(kThumb, {kIndex, kMiddle}, thumb, held);
+  const Pad pad = pad_of(closing.hand(), closing.surface(kThumb), closing.angles());
+  const double gap = std::abs(closing.surface(kThumb).clearances(closing.angles(), held)[2]) +
+                     std::abs(closing.surface(kIndex).clearances(closing.angles(), held)[1]);
+  const double miss =
+      (pad.point - face).norm() + 0.02 * (1.0 + pad.facing.dot(axes.col(2))) + 4.0 * gap;
+  return {closing, held, miss};
+}
+
+Grasp lateral_grasp(const HandModel& hand, Random& random) {
+  const ClosingHand closing(hand, kLateral, random);
+  const HeldObject object = {HeldObject::Shape::block,
+                             {random.uniform(0.022, 0.032), random.uniform(0.011, 0.015),
+                              0.5 * random.uniform(0.002, 0.005)}};
+  // Where along the finger, and how bent it is, so that the thumb's pad reaches the plate best.
+  std::optional<LateralGrip> best;
+  for (double bend = -16.0; bend <= 16.0; bend += 8.0) {
+    ClosingHand bent = closing;
+    for (const int digit : {kIndex, kMiddle}) bent.preferred()[4 * digit + 1] += bend * kDegree;
+    for (const double along : {0.1, 0.5, 0.9}) {
+      const LateralGrip grip = lateral_from(bent, object, along);
+      if (!best || grip.miss < best->miss) best.emplace(grip);
+    }
+  }
+  DigitGoal idle;
+  idle.contact.setZero();
+  best->closing.close(kRing, {kMiddle, kThumb}, idle, best->held);
+  best->closing.close(kLittle, {kRing}, idle, best->held);
+  return {best->closing.angles(), best->held};
+}
+
 // Objects are their own mirror images, so only where they lie changes.
 Grasp mirrored(const Grasp& grasp) {
   Grasp other = grasp;
@@ -281,6 +356,8 @@ Grasp right_hand_grasp(const HandModel& hand, SimulatedGrasp kind, std::uint64_t
       return cylinder_grasp(hand, random);
     case SimulatedGrasp::sphere:
       return sphere_grasp(hand, random);
+    case SimulatedGrasp::lateral:
+      return lateral_grasp(hand, random);
     case SimulatedGrasp::pinch:
       break;
   }
@@ -301,7 +378,8 @@ SimulatedGrasp simulated_grasp_from_name(std::string_view name) {
   for (const auto& [grasp, its_name] : kGraspNames) {
     if (its_name == name) return grasp;
   }
-  throw Error("simulated take: got grasp '", name, "', expected cylinder, sphere or pinch");
+  throw Error("simulated take: got grasp '", name,
+              "', expected cylinder, sphere, pinch or lateral");
 }
 
 Grasp make_grasp(const HandModel& hand, SimulatedGrasp kind, std::uint64_t seed) {

@@ -14,6 +14,7 @@ enum class SimulatedGrasp {
   cylinder,  ///< power grasp around a cylinder of radius 20 to 35 mm
   sphere,    ///< all fingers around a ball of radius 28 to 40 mm
   pinch,     ///< thumb against index and middle finger on a disc or block 10 to 25 mm thick
+  lateral,   ///< thumb against the side of the index finger on a plate 2 to 5 mm thick, like a key
 };
 std::string_view simulated_grasp_name(SimulatedGrasp grasp);
 /// Throws Error listing the names that would do.

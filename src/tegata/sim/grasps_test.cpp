@@ -15,8 +15,15 @@
 namespace tegata {
 namespace {
 
-constexpr std::array<SimulatedGrasp, 3> kAllGrasps = {
-    SimulatedGrasp::cylinder, SimulatedGrasp::sphere, SimulatedGrasp::pinch};
+constexpr std::array<SimulatedGrasp, 4> kAllGrasps = {SimulatedGrasp::cylinder,
+                                                      SimulatedGrasp::sphere, SimulatedGrasp::pinch,
+                                                      SimulatedGrasp::lateral};
+
+// How many digits hold the object, from the thumb on.
+int holding_digits(SimulatedGrasp kind) {
+  if (kind == SimulatedGrasp::lateral) return 2;
+  return kind == SimulatedGrasp::pinch ? 3 : 5;
+}
 
 // Made once for all tests.
 const Grasp& right_grasp(SimulatedGrasp kind, std::uint64_t seed) {
@@ -50,7 +57,7 @@ TEST(Grasps, NoPartOfTheHandIsInsideTheObject) {
 
 TEST(Grasps, DigitsThatHoldTouchTheObject) {
   for (const SimulatedGrasp kind : kAllGrasps) {
-    const int holding = kind == SimulatedGrasp::pinch ? 3 : 5;
+    const int holding = holding_digits(kind);
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const Grasp& grasp = right_grasp(kind, seed);
       for (int digit = 0; digit < holding; ++digit) {
@@ -61,8 +68,22 @@ TEST(Grasps, DigitsThatHoldTouchTheObject) {
   }
 }
 
+TEST(Grasps, PlateLiesBetweenTheThumbAndTheSideOfTheIndexFinger) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Grasp& grasp = right_grasp(SimulatedGrasp::lateral, seed);
+    const auto keypoints = posed_keypoints(sim_test_hand().skeleton, HandPose{{}, grasp.angles});
+    const auto height = [&](std::size_t keypoint) {
+      return (grasp.held.object_from_hand() * keypoints[keypoint]).z();
+    };
+    EXPECT_GT(height(4), grasp.held.object.half_size.z()) << seed;   // thumb tip
+    EXPECT_LT(height(6), -grasp.held.object.half_size.z()) << seed;  // index PIP
+    EXPECT_LT(height(7), -grasp.held.object.half_size.z()) << seed;  // index DIP
+  }
+}
+
 TEST(Grasps, ThumbStandsAgainstTheFingers) {
-  for (const SimulatedGrasp kind : kAllGrasps) {
+  for (const SimulatedGrasp kind :
+       {SimulatedGrasp::cylinder, SimulatedGrasp::sphere, SimulatedGrasp::pinch}) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const Grasp& grasp = right_grasp(kind, seed);
       const auto keypoints = posed_keypoints(sim_test_hand().skeleton, HandPose{{}, grasp.angles});
