@@ -77,7 +77,7 @@ class OutlineSum {
 void add_outline_to_silhouette(const std::vector<OutlinePoint>& outline, const FitView& view,
                                OutlineSum& sum) {
   for (const OutlinePoint& point : outline) {
-    if (!point.beyond_wrist) continue;
+    if (!point.beyond_wrist || view.is_forearm(point.pixel)) continue;
     const double x = point.pixel.x(), y = point.pixel.y();
     const float gap = sample_bilinear(*view.hand_distance, x, y);
     if (gap < 0.0F && is_hidden(point, point.pixel, view)) continue;
@@ -129,6 +129,7 @@ void add_silhouette_to_outline(const std::vector<OutlinePoint>& outline, const F
                                std::size_t step, OutlineSum& sum) {
   for (std::size_t i = 0; i < view.contour.size(); i += step) {
     const ContourPoint& contour_point = view.contour[i];
+    if (view.is_forearm(contour_point.pixel)) continue;
     const OutlinePoint* point = nearest_facing(outline, contour_point);
     if (point == nullptr || !point->beyond_wrist) {
       sum.add_unmatched();

@@ -27,7 +27,8 @@ struct ContourTermOptions {
 /// The outline in one picture, both ways: for each point of the hand's outline the distance to the
 /// nearest proven border of the silhouette, and for each point of the silhouette's contour the
 /// nearest outline point of the hand that faces the same way. Distances are taken into metres at
-/// the depth of the outline. Borders with unknown pixels and the forearm say nothing. With a
+/// the depth of the outline. Borders with unknown pixels, the forearm
+/// and what lies behind an object (FitView) say nothing. With a
 /// `shape`, equations are by that as well.
 void add_contour_term(const FitHand& hand, const PosedHand& posed, const FitView& view,
                       const ContourTermOptions& options, FrameEquations& equations,

@@ -8,6 +8,7 @@
 #include "tegata/base/parallel.h"
 #include "tegata/base/stopwatch.h"
 #include "tegata/fit/digit_search.h"
+#include "tegata/fit/surroundings.h"
 
 namespace tegata {
 namespace {
@@ -190,9 +191,9 @@ void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
       holding({options.with_object}, estimate.angles, kKnownDeviations).front();
   const auto fit_from = [&](std::size_t f, const Rigid3d& start) {
     const FitFrame* const one[] = {frames[f]};
-    const std::vector<FitFrame> hidden =
-        frames_with_object(one, {estimate.angles, {start}}, object, options.threads);
-    return fit_frame(hand, hidden.front(), {start, estimate.angles}, schedule);
+    const std::vector<FitFrame> surrounded =
+        with_surroundings(hand, one, {estimate.angles, {start}}, object.surface, options.threads);
+    return fit_frame(hand, surrounded.front(), {start, estimate.angles}, schedule);
   };
   const std::vector<Rigid3d> poses = estimate.world_from_hand;
   for (std::size_t f = 0; f < frames.size(); ++f) {
@@ -234,22 +235,24 @@ void fit_all_frames(const FitHand& hand, std::span<const FitFrame* const> frames
                     const std::vector<FrameFit>& fits, const GraspFitOptions& options,
                     GraspFit& grasp) {
   HandEstimate estimate = median_estimate(fits);
-  SolverReport report = settle(hand, frames, options.all_frames, false, options, estimate);
-  grasp.iterations = report.iterations;
-  for (int round = 0; round < options.object_rounds; ++round) {
-    grasp.object = find_hidden_object(hand, frames, estimate, options.object, options.threads);
-    if (grasp.object.surface.triangles.empty()) {
-      report = settle(hand, frames, options.all_frames, true, options, estimate);
-      grasp.iterations += report.iterations;
-      break;
-    }
-    seek_jumps(hand, frames, grasp.object, options, estimate);
-    const std::vector<FitFrame> hidden =
-        frames_with_object(frames, estimate, grasp.object, options.threads);
-    std::vector<const FitFrame*> pointers;
-    for (const FitFrame& frame : hidden) pointers.push_back(&frame);
-    report = settle(hand, pointers, options.with_object, round == 0, options, estimate);
+  std::vector<FitFrame> surrounded;
+  // Draws what is known to stand about the hand anew and lets all settle among it.
+  const auto settle_among = [&](const FitSchedule& schedule, bool reseats) {
+    surrounded = with_surroundings(hand, frames, estimate, grasp.object.surface, options.threads);
+    const SolverReport report =
+        settle(hand, pointers_to(surrounded), schedule, reseats, options, estimate);
     grasp.iterations += report.iterations;
+    return report;
+  };
+  SolverReport report = settle_among(options.all_frames, false);
+  for (int round = 0; round < options.object_rounds; ++round) {
+    surrounded = with_surroundings(hand, frames, estimate, {}, options.threads);
+    grasp.object = find_hidden_object(hand, pointers_to(surrounded), estimate, options.object,
+                                      options.threads);
+    seek_jumps(hand, frames, grasp.object, options, estimate);
+    const bool is_any = !grasp.object.surface.triangles.empty();
+    report = settle_among(is_any ? options.with_object : options.all_frames, round == 0);
+    if (!is_any && round > 0) break;
   }
   grasp.termination = report.termination;
   grasp.standard_deviations = standard_deviations(report);

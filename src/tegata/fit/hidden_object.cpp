@@ -62,7 +62,9 @@ Vote vote(const DrawnView& drawn, const Eigen::Vector3d& point_in_hand,
   if (!(point.z() > 0.0)) return Vote::none;
   const int x = static_cast<int>(std::lround(camera.fx * point.x() / point.z() + camera.cx));
   const int y = static_cast<int>(std::lround(camera.fy * point.y() / point.z() + camera.cy));
-  if (!drawn.depth.contains(x, y)) return Vote::none;
+  if (!drawn.depth.contains(x, y) || drawn.view->is_forearm(Eigen::Vector2d(x, y))) {
+    return Vote::none;
+  }
   const double depth = drawn.depth(x, y);
   if (!(point.z() < depth - skin) || std::isinf(depth)) return Vote::none;
   switch (drawn.view->silhouette(x, y)) {
@@ -191,24 +193,6 @@ HiddenObject find_hidden_object(const FitHand& hand, std::span<const FitFrame* c
         static_cast<float>(many * votes.blocked / std::max(votes.blocked + votes.free, 1.0F)));
   }
   return object;
-}
-
-std::vector<FitFrame> frames_with_object(std::span<const FitFrame* const> frames,
-                                         const HandEstimate& estimate, const HiddenObject& object,
-                                         int threads) {
-  std::vector<FitFrame> result;
-  for (const FitFrame* frame : frames) result.push_back(*frame);
-  if (object.surface.triangles.empty()) return result;
-  parallel_for(frames.size(), threads, [&](std::size_t f) {
-    TriangleMesh in_world = object.surface;
-    for (Eigen::Vector3d& vertex : in_world.vertices) {
-      vertex = estimate.world_from_hand[f] * vertex;
-    }
-    for (FitView& view : result[f].views) {
-      view.hiding_depth = std::make_shared<const Image<float>>(render(in_world, view.camera).depth);
-    }
-  });
-  return result;
 }
 
 }  // namespace tegata

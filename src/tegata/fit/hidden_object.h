@@ -44,9 +44,4 @@ HiddenObject find_hidden_object(const FitHand& hand, std::span<const FitFrame* c
                                 const HandEstimate& estimate, const HiddenObjectOptions& options,
                                 int threads);
 
-/// The frames with the object drawn into their views (FitView::hiding_depth).
-std::vector<FitFrame> frames_with_object(std::span<const FitFrame* const> frames,
-                                         const HandEstimate& estimate, const HiddenObject& object,
-                                         int threads);
-
 }  // namespace tegata

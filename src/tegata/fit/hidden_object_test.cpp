@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "tegata/fit/surroundings.h"
 #include "tegata/fit/test_scene.h"
 
 namespace tegata {
@@ -112,7 +113,8 @@ TEST(HiddenObject, OnlyWhatLiesBehindItIsHidden) {
   const Scene scene = scene_with_ball(kRadius);
   HiddenObject object;
   object.surface = ball(kBall, kRadius);
-  const std::vector<FitFrame> frames = frames_with_object(scene.pointers, scene.truth, object, 0);
+  const std::vector<FitFrame> frames =
+      with_surroundings(hand, scene.pointers, scene.truth, object.surface, 0);
   const Camera& camera = frames[0].views[0].camera;
   const Eigen::Vector3d center = scene.truth.world_from_hand[0] * kBall;
   const Eigen::Vector2d pixel = *project(camera, center);

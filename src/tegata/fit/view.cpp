@@ -17,6 +17,13 @@ bool FitView::is_hidden(const Eigen::Vector2d& pixel, double depth) const {
   return hiding_depth->contains(x, y) && (*hiding_depth)(x, y) < depth;
 }
 
+bool FitView::is_forearm(const Eigen::Vector2d& pixel) const {
+  if (!forearm) return false;
+  const int x = static_cast<int>(std::lround(pixel.x()));
+  const int y = static_cast<int>(std::lround(pixel.y()));
+  return forearm->contains(x, y) && (*forearm)(x, y) == PixelLabel::hand;
+}
+
 FitView make_fit_view(const Camera& camera, Silhouette silhouette) {
   if (camera.is_distorted() || silhouette.width() != camera.width ||
       silhouette.height() != camera.height) {

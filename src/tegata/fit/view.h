@@ -28,6 +28,12 @@ struct FitView {
   /// nothing is known of it. What lies behind it may look like background.
   std::shared_ptr<const Image<float>> hiding_depth;
 
+  /// Hand where the forearm is: it may hide the hand there or lie behind it, and looks alike.
+  /// Absent where nothing is known of it.
+  std::shared_ptr<const Silhouette> forearm;
+
+  /// Whether the forearm is in this pixel.
+  bool is_forearm(const Eigen::Vector2d& pixel) const;
   /// Whether something stands before a point of this depth [m] in this pixel.
   bool is_hidden(const Eigen::Vector2d& pixel, double depth) const;
 };

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/forearm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace tegata {
+namespace {
+
+// Of a hand of scale 1 [m]: the forearm begins so far behind the wrist and is looked at so far.
+constexpr double kBegin = 0.015, kEnd = 0.35;
+constexpr double kRingDistance = 0.03;
+constexpr double kMargin = 0.004;  // by which the body is wider than what was seen
+constexpr std::size_t kLeastPoints = 20;
+constexpr std::uint32_t kSectors = 16;
+// Of the points about a ring so many lie inside; the hull's corners do not.
+constexpr double kInside = 0.8;
+
+struct AxisPoint {
+  double along = 0.0, radius = 0.0;
+};
+
+struct Ring {
+  double along = 0.0, radius = 0.0;
+};
+
+std::vector<Ring> rings_of(const std::vector<AxisPoint>& points, double scale) {
+  double last = 0.0;
+  for (const AxisPoint& point : points) last = std::max(last, point.along);
+  std::vector<Ring> rings;
+  for (double along = kBegin * scale; along < last + kRingDistance * scale;
+       along += kRingDistance * scale) {
+    std::vector<double> radii;
+    for (const AxisPoint& point : points) {
+      if (std::abs(point.along - along) < kRingDistance * scale) radii.push_back(point.radius);
+    }
+    if (radii.empty()) {
+      if (!rings.empty()) rings.push_back({along, rings.back().radius});
+      continue;
+    }
+    const auto place = radii.begin() +
+                       static_cast<std::ptrdiff_t>(kInside * static_cast<double>(radii.size() - 1));
+    std::nth_element(radii.begin(), place, radii.end());
+    rings.push_back({along, *place + kMargin * scale});
+  }
+  return rings;
+}
+
+TriangleMesh body(const std::vector<Ring>& rings, const Eigen::Vector3d& axis) {
+  TriangleMesh mesh;
+  const Eigen::Vector3d across = axis.unitOrthogonal(), third = axis.cross(across);
+  for (const Ring& ring : rings) {
+    for (std::uint32_t i = 0; i < kSectors; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / kSectors;
+      mesh.vertices.push_back(ring.along * axis +
+                              ring.radius * (std::cos(turn) * across + std::sin(turn) * third));
+    }
+  }
+  const auto count = static_cast<std::uint32_t>(rings.size());
+  for (std::uint32_t r = 0; r + 1 < count; ++r) {
+    for (std::uint32_t i = 0; i < kSectors; ++i) {
+      const std::uint32_t a = r * kSectors + i, b = r * kSectors + (i + 1) % kSectors;
+      mesh.triangles.push_back({a, b, a + kSectors});
+      mesh.triangles.push_back({b, b + kSectors, a + kSectors});
+    }
+  }
+  for (const std::uint32_t first : {0U, (count - 1) * kSectors}) {
+    for (std::uint32_t i = 1; i + 1 < kSectors; ++i) {
+      mesh.triangles.push_back({first, first + i, first + i + 1});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+std::optional<TriangleMesh> find_forearm(const FitHand& hand, const FitFrame& frame,
+                                         const Rigid3d& world_from_hand) {
+  if (!frame.hull) return std::nullopt;
+  const Rigid3d hand_from_world = world_from_hand.inverse();
+  std::vector<Eigen::Vector3d> behind;  // in the hand's frame, whose origin is the wrist
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : frame.hull->nearest.points()) {
+    const Eigen::Vector3d in_hand = hand_from_world * point;
+    if (in_hand.y() > -kBegin * hand.scale || in_hand.norm() > kEnd * hand.scale) continue;
+    behind.push_back(in_hand);
+    sum += in_hand;
+  }
+  if (behind.size() < kLeastPoints) return std::nullopt;
+  const Eigen::Vector3d axis = sum.normalized();
+  std::vector<AxisPoint> points;
+  for (const Eigen::Vector3d& point : behind) {
+    const double along = axis.dot(point);
+    points.push_back({along, (point - along * axis).norm()});
+  }
+  const std::vector<Ring> rings = rings_of(points, hand.scale);
+  if (rings.size() < 2) return std::nullopt;
+  TriangleMesh mesh = body(rings, axis);
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = world_from_hand * vertex;
+  return mesh;
+}
+
+}  // namespace tegata

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/forearm.h"
+
+#include <gtest/gtest.h>
+
+#include "tegata/fit/test_scene.h"
+
+namespace tegata {
+namespace {
+
+// A cylinder from the wrist backwards, bent away from the hand's axis, as the hull of a frame.
+FitFrame frame_with_arm(const Rigid3d& world_from_hand, const Eigen::Vector3d& axis,
+                        double radius) {
+  TriangleMesh arm;
+  const Eigen::Vector3d across = axis.unitOrthogonal(), third = axis.cross(across);
+  for (int ring = 0; ring < 20; ++ring) {
+    for (int i = 0; i < 24; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / 24;
+      const Eigen::Vector3d out = std::cos(turn) * across + std::sin(turn) * third;
+      arm.vertices.push_back(world_from_hand * (0.01 * ring * axis + radius * out));
+      arm.normals.push_back(world_from_hand.rotation * out);
+    }
+  }
+  arm.triangles = {{0, 1, 24}};
+  FitFrame frame;
+  frame.hull.emplace(arm);
+  return frame;
+}
+
+TEST(Forearm, FollowsTheHullBehindABentWrist) {
+  const FitHand hand(test::coarse_hand());
+  const Rigid3d pose = test::grasping_pose(0.3).world_from_hand;
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.3, -1.0, 0.4).normalized();
+  const auto forearm = find_forearm(hand, frame_with_arm(pose, axis, 0.03), pose);
+  ASSERT_TRUE(forearm.has_value());
+  EXPECT_TRUE(inspect_topology(*forearm).closed);
+  for (const Eigen::Vector3d& vertex : forearm->vertices) {
+    const Eigen::Vector3d in_hand = pose.inverse() * vertex;
+    EXPECT_GT(axis.dot(in_hand), 0.0) << "reaches into the hand";
+    EXPECT_NEAR((in_hand - axis.dot(in_hand) * axis).norm(), 0.034, 0.006);
+  }
+}
+
+TEST(Forearm, WhereTheHullEndsAtTheWristThereIsNone) {
+  const FitHand hand(test::coarse_hand());
+  const HandPose pose = test::grasping_pose(0.3);
+  TriangleMesh fingers = PosedHand(test::coarse_hand(), pose).surface();
+  FitFrame frame;
+  EXPECT_FALSE(find_forearm(hand, frame, pose.world_from_hand).has_value());
+  for (Eigen::Vector3d& vertex : fingers.vertices) {
+    const Eigen::Vector3d in_hand = pose.world_from_hand.inverse() * vertex;
+    if (in_hand.y() < 0.0) vertex = pose.world_from_hand * Eigen::Vector3d(0.0, 0.0, 0.0);
+  }
+  frame.hull.emplace(fingers);
+  EXPECT_FALSE(find_forearm(hand, frame, pose.world_from_hand).has_value());
+}
+
+}  // namespace
+}  // namespace tegata
