@@ -24,11 +24,14 @@ namespace tegata {
 void add_simulate_command(CLI::App& program);
 void add_fit_command(CLI::App& program);
 void add_evaluate_command(CLI::App& program);
+void add_experiment_command(CLI::App& program);
 void add_export_command(CLI::App& program);
 void add_info_command(CLI::App& program);
 void add_picture_command(CLI::App& program);
 void add_hull_command(CLI::App& program);
 void add_hand_command(CLI::App& program);
+void add_calibration_command(CLI::App& program);
+void add_calibrate_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_view_command(CLI::App& program);
 

@@ -16,11 +16,14 @@ int main(int argc, char** argv) {
   tegata::add_simulate_command(program);
   tegata::add_fit_command(program);
   tegata::add_evaluate_command(program);
+  tegata::add_experiment_command(program);
   tegata::add_export_command(program);
   tegata::add_info_command(program);
   tegata::add_picture_command(program);
   tegata::add_hull_command(program);
   tegata::add_hand_command(program);
+  tegata::add_calibration_command(program);
+  tegata::add_calibrate_command(program);
   tegata::add_report_command(program);
   tegata::add_view_command(program);
   try {

@@ -4,7 +4,7 @@
 # The parts of OpenCV 4 that are used, as targets opencv::<part>. Debian's OpenCVConfig.cmake comes
 # only with the package that pulls in every part (VTK and Qt among them), so the parts are looked
 # up one by one.
-set(OpenCVParts_NAMES core imgproc imgcodecs calib3d videoio)
+set(OpenCVParts_NAMES core imgproc imgcodecs calib3d videoio features2d aruco)
 find_path(OpenCVParts_INCLUDE_DIR opencv2/core.hpp PATH_SUFFIXES opencv4)
 set(OpenCVParts_REQUIRED OpenCVParts_INCLUDE_DIR)
 foreach(part IN LISTS OpenCVParts_NAMES)
