@@ -67,9 +67,13 @@ std::string explanation(Take& take, const PrepareOptions& options) {
   check.frames = options.frames;
   check.segmentation = options.segmentation;
   check.threads = options.threads;
-  // Without an observer: what there is to say of the frames has been said.
-  const TakeCheck found = check_take(take, check, Observer{});
-  return found.calibration.agrees() ? "" : found.calibration.problems.front().message;
+  try {
+    // Without an observer: what there is to say of the frames has been said.
+    const TakeCheck found = check_take(take, check, Observer{});
+    return found.calibration.agrees() ? "" : found.calibration.problems.front().message;
+  } catch (const Error&) {
+    return "";  // the take cannot be read, which is what the first Error says
+  }
 }
 
 }  // namespace
