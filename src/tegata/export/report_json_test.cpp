@@ -17,7 +17,7 @@ using nlohmann::json;
 
 const HandModel& coarse_hand() {
   static const HandModel hand =
-      built_in_hand(HandShape{}, Side::right, {.triangle_count = 300, .cell_size = 0.005});
+      built_in_hand(HandShape{}, Side::right, {.cell_size = 0.005, .triangle_count = 300});
   return hand;
 }
 
@@ -133,7 +133,7 @@ TEST(ReportJson, HullComesBackWithinItsSteps) {
 TEST(ReportJson, FineHandsAndLongTakesAreMadeCoarserAndItIsSaid) {
   const Result result = test_result(700);
   HandModel fine =
-      built_in_hand(HandShape{}, Side::right, {.triangle_count = 14000, .cell_size = 0.002});
+      built_in_hand(HandShape{}, Side::right, {.cell_size = 0.002, .triangle_count = 14000});
   ASSERT_GT(fine.rest_surface.triangles.size(), 12'100u);
   std::map<std::string, TriangleMesh> hulls;
   for (const ResultFrame& frame : result.frames) {
