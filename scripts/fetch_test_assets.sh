@@ -3,8 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Fetches what some tests take from npm into build/assets (100 MB): the WebXR generic hand and the
-# glTF validator. Where npm is not there, or does not reach its registry, those tests skip. npm is
-# not installed for them, as it brings some hundred packages with it on Debian.
+# glTF validator. Where npm is not there, or does not reach its registry, those tests skip.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
