@@ -135,7 +135,7 @@ void adjust(Solution& solution, const std::vector<Eigen::Vector3d>& board,
 // Leaves out views that are far worse than the usual one, and says which.
 std::vector<OutlierView> leave_out(Solution& solution, const BoardRecording& recording,
                                    const std::vector<Eigen::Vector3d>& board) {
-  constexpr double kTimes = 4.0, kLeast = 1.5;  // of the median; [px]
+  constexpr double kTimes = 3.0, kLeast = 1.0;  // of the median; [px]
   struct Rms {
     std::size_t frame, camera;
     double rms;
