@@ -70,6 +70,20 @@ FitSchedule shape_schedule() {
   return {{contour_stage(0.008, 0.016, 20), contour_stage(0.004, 0.01, 30)}};
 }
 
+std::vector<FitSchedule> holding(std::vector<FitSchedule> schedules, const JointAngles& angles,
+                                 AngleDeviations deviations) {
+  for (FitSchedule& schedule : schedules) {
+    const std::size_t count = schedule.stages.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t from_end = std::min(count - 1 - i, deviations.size() - 1);
+      schedule.stages[i].prior.previous = angles;
+      schedule.stages[i].prior.previous_standard_deviation =
+          deviations[deviations.size() - 1 - from_end];
+    }
+  }
+  return schedules;
+}
+
 FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& start,
                    const FitSchedule& schedule) {
   HandEstimate estimate{start.angles, {start.world_from_hand}};

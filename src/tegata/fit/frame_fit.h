@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tegata/fit/solver.h"
@@ -25,6 +26,15 @@ FitSchedule object_schedule();
 /// For estimates by a hand of another size, then of another shape.
 FitSchedule scale_schedule();
 FitSchedule shape_schedule();
+
+/// How far the angles may leave what is known of them [rad], by stage; after the last entry the
+/// last one holds.
+using AngleDeviations = std::span<const double, 4>;
+inline constexpr double kKnownDeviations[] = {0.02, 0.02, 0.02, 0.02};
+/// The schedules with the angles held near known ones. Schedules may differ in length but end
+/// alike, so the stages are counted from the end.
+std::vector<FitSchedule> holding(std::vector<FitSchedule> schedules, const JointAngles& angles,
+                                 AngleDeviations deviations);
 
 /// One hand found in one frame.
 struct FrameFit {

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "tegata/base/observer.h"
-#include "tegata/fit/frame_fit.h"
-#include "tegata/fit/hidden_object.h"
+#include "tegata/fit/joint_fit.h"
 #include "tegata/fit/start.h"
 
 namespace tegata {
@@ -20,14 +19,9 @@ enum class GraspConstraint {
 
 struct GraspFitOptions {
   GraspConstraint grasp = GraspConstraint::fixed;
-  std::vector<FitSchedule> frame = {hull_first_schedule(), contour_first_schedule()};
-  FitSchedule all_frames = grasp_schedule();
-  /// Once the object is known that hides the hand.
-  FitSchedule with_object = object_schedule();
-  HiddenObjectOptions object;
-  /// So often the object is found from the hand and the hand with the object. 0: neither it is
-  /// looked for, nor digits in other places: for estimates of the hand's size.
-  int object_rounds = 3;
+  JointFitOptions joint;
+  /// The angles come from so many frames spread over all; of the others the poses alone are sought.
+  std::size_t most_joint_frames = 40;
   int threads = 0;
 };
 
@@ -43,11 +37,9 @@ struct GraspFit {
 
 /// Finds the hand in all frames: the first from its landmarks or, without them, from many poses at
 /// the ends of its hull; each next one from the one before, and from the ends of its hull as well
-/// where that fits far worse than frames did before; then all frames at once with one set of
-/// angles, so that frames in which something hides a finger lose their influence on it. Fingers are
-/// then tried in other places, frames that fit worse than the others sought anew with the angles
-/// known, and all fitted once more. Then what hides the hand is found by what it hides, and what
-/// lies behind it says nothing any more.
+/// where that fits far worse than frames did before; then frames spread over all at once with one
+/// set of angles (joint_fit.h), so that frames in which something hides a finger lose their
+/// influence on it; then the others with these angles.
 /// `frames` must not be empty and each needs a hull; throws Error otherwise.
 GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
                    const GraspFitOptions& options, const Observer& observer);

@@ -47,6 +47,20 @@ TEST(GraspFit, FollowsATurningHandFromRoughLandmarks) {
   EXPECT_TRUE((fit.standard_deviations.array() > 0.0).all());
 }
 
+TEST(GraspFit, FramesThatDoNotMakeTheGraspHaveTheirPosesByIt) {
+  Scene scene = turning_hand(5);
+  const HandModel& hand = test::coarse_hand();
+  scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
+  GraspFitOptions options;
+  options.most_joint_frames = 2;
+  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers, options, {});
+  ASSERT_EQ(fit.poses.size(), 5U);
+  for (std::size_t f = 0; f < 5; ++f) {
+    EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[f], scene.truth[f]), 0.003) << f;
+    EXPECT_EQ(fit.poses[f].angles, fit.angles);
+  }
+}
+
 TEST(GraspFit, FreeFramesKeepAnglesOfTheirOwn) {
   Scene scene = turning_hand(2);
   const HandModel& hand = test::coarse_hand();

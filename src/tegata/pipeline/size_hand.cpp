@@ -77,7 +77,7 @@ SizedHand size_hand(const HandModel& hand, std::span<const PreparedTake> takes,
                     const GraspFitOptions& fit_options, const Observer& observer) {
   const Stopwatch stopwatch;
   GraspFitOptions options = fit_options;
-  options.object_rounds = 0;
+  options.joint.object_rounds = 0;
   std::vector<std::vector<const FitFrame*>> frames;
   for (const PreparedTake& take : takes) frames.push_back(take.fit_frames());
   double scale = start_scale(hand, frames.front(), options, observer);

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "tegata/base/observer.h"
+#include "tegata/fit/frame_fit.h"
+#include "tegata/fit/hidden_object.h"
+#include "tegata/math/rigid3d.h"
+
+namespace tegata {
+
+struct JointFitOptions {
+  std::vector<FitSchedule> frame = {hull_first_schedule(), contour_first_schedule()};
+  FitSchedule all_frames = grasp_schedule();
+  /// Once the object is known that hides the hand.
+  FitSchedule with_object = object_schedule();
+  HiddenObjectOptions object;
+  /// So often the object is found from the hand and the hand with the object. 0: neither it is
+  /// looked for, nor digits in other places: for estimates of the hand's size.
+  int object_rounds = 3;
+  int threads = 0;
+};
+
+struct JointFit {
+  HandEstimate estimate;
+  HiddenObject object;
+  SolverReport report;  ///< of the last stage; iterations of all
+};
+
+/// Fits all frames at once with one set of angles (the paper, V: simultaneous estimation), from
+/// what each frame alone has found: what stands about the hand is found, digits are tried in other
+/// places, frames at other poses. Frames need hulls, and there must be one or more.
+JointFit fit_jointly(const FitHand& hand, std::span<const FitFrame* const> frames,
+                     HandEstimate start, const JointFitOptions& options, const Observer& observer);
+
+/// The poses of further frames of the same grasp, from about where they are, with angles and object
+/// known.
+FrameFit fit_known(const FitHand& hand, const FitFrame& frame, const HandPose& start,
+                   const HiddenObject& object, const JointFitOptions& options);
+
+/// Where the hand would be if it went on as it went from one pose to the next.
+Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last);
+
+}  // namespace tegata
