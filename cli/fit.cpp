@@ -148,6 +148,15 @@ void add_fit_command(CLI::App& program) {
   command->add_option("--side", arguments->side, "Which hand, where the take does not say")
       ->check(CLI::IsMember({"right", "left"}));
   add_segmentation_option(*command, options.segmentation);
+  command
+      ->add_option_function<std::string>(
+          "--method",
+          [arguments](const std::string& name) {
+            arguments->options.method = name == "paper" ? FitMethod::paper : FitMethod::all_terms;
+          },
+          "default, or paper: by the visual hull alone, as Ogawara et al. 2003")
+      ->check(CLI::IsMember({"default", "paper"}))
+      ->default_str("default");
   add_grasp_option(*command, arguments->grasp);
   command
       ->add_option_function<std::string>(

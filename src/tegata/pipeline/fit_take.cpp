@@ -9,6 +9,7 @@
 #include "tegata/fit/support.h"
 #include "tegata/hand/scaled_hand.h"
 #include "tegata/pipeline/check_calibration.h"
+#include "tegata/pipeline/paper_take.h"
 #include "tegata/pipeline/size_hand.h"
 
 namespace tegata {
@@ -64,7 +65,9 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   }
   const HandModel fitted_model = scaled(hand_model, result.model_scale);
   const FitHand hand(fitted_model);
-  const GraspFit grasp = fit_grasp(hand, frames, fit_options, observer);
+  const GraspFit grasp = options.method == FitMethod::paper
+                             ? fit_grasp_by_paper(hand, prepared, fit_options, observer)
+                             : fit_grasp(hand, frames, fit_options, observer);
 
   result.take = take.info().name;
   result.side = hand_model.skeleton.side;

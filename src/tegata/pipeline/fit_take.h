@@ -13,7 +13,13 @@
 
 namespace tegata {
 
+enum class FitMethod {
+  all_terms,  ///< hull and contours, all parameters at once: the default
+  paper,      ///< fit/paper_fit.h: hull alone, pose and angles in turn
+};
+
 struct FitTakeOptions : PrepareOptions {
+  FitMethod method = FitMethod::all_terms;
   GraspFitOptions fit;
   /// The hand's lengths are multiplied by it; absent: it is estimated.
   std::optional<double> scale = 1.0;
