@@ -27,13 +27,13 @@ std::string header(const std::set<std::string>& cameras) {
     line += fmt::format(",{0}_x_m,{0}_y_m,{0}_z_m", name);
   }
   for (const std::string_view name : bone_names()) line += fmt::format(",{}_support", name);
-  for (const std::string& camera : cameras) line += "," + csv_cell(camera + "_iou");
+  for (const std::string& camera : cameras) line += fmt::format(",{}", csv_cell(camera + "_iou"));
   return line + "\n";
 }
 
 std::string pose_cells(const ResultFrame& frame, const std::set<std::string>& cameras) {
   std::string cells;
-  const auto add = [&cells](double number) { cells += "," + decimal(number, 8); };
+  const auto add = [&cells](double number) { cells += fmt::format(",{}", decimal(number, 8)); };
   const Rigid3d& place = frame.pose->world_from_hand;
   const double sign = place.rotation.w() < 0.0 ? -1.0 : 1.0;  // as result.json has it
   for (int i = 0; i < 3; ++i) add(place.translation[i]);
