@@ -223,7 +223,7 @@ test('pointing at a frame in any part moves all others', async () => {
   const strip = await page.locator('.strip').boundingBox();
   await page.mouse.move(strip.x + 1, strip.y + 9);
   await page.mouse.down();
-  await page.mouse.move(strip.x + strip.width * 0.5, strip.y + 9, { steps: 12 });
+  await page.mouse.move(strip.x + (strip.width * (frameCount / 2 + 0.5)) / frameCount, strip.y + 9, { steps: 12 });
   await page.mouse.up();
   await assertShows(page, frameCount / 2);
   assert.deepEqual(problems, []);
