@@ -278,7 +278,8 @@ std::optional<Suspicion> suspect(const CameraRig& rig, const RigOutlines& frames
   try_flips(rig, frames, hypotheses);
   try_inverse(rig, frames, hypotheses);
   try_turns(rig, frames, hypotheses);
-  try_without(rig, frames, hypotheses);
+  // Two cameras that are left always meet: they prove nothing against faint doubts.
+  if (!agree) try_without(rig, frames, hypotheses);
   std::stable_sort(hypotheses.begin(), hypotheses.end(),
                    [](const Hypothesis& a, const Hypothesis& b) { return rank(a) < rank(b); });
   if (agree && hypotheses.front().cost > kFaintlyExplained * cost) return std::nullopt;
