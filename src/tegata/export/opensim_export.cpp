@@ -72,10 +72,11 @@ std::string mot_text(const Result& result) {
     }
     const Rigid3d y_up_from_hand = y_up_from_world() * frame.pose->world_from_hand;
     turn = zyx_angles(y_up_from_hand.rotation, turn);
-    for (int i = 0; i < 3; ++i) file += "\t" + decimal(y_up_from_hand.translation[i], 8);
-    for (int i = 0; i < 3; ++i) file += "\t" + decimal(kDegrees * turn[i], 6);
+    for (int i = 0; i < 3; ++i)
+      file += fmt::format("\t{}", decimal(y_up_from_hand.translation[i], 8));
+    for (int i = 0; i < 3; ++i) file += fmt::format("\t{}", decimal(kDegrees * turn[i], 6));
     for (int i = 0; i < kAngleCount; ++i) {
-      file += "\t" + decimal(kDegrees * frame.pose->angles[i], 6);
+      file += fmt::format("\t{}", decimal(kDegrees * frame.pose->angles[i], 6));
     }
     file += "\n";
   }

@@ -149,9 +149,11 @@ std::string joint_states(const Result& result) {
     table += csv_cell(frame.name) + "," + decimal(frame.time, 6);
     if (frame.pose) {
       const Rigid3d& place = frame.pose->world_from_hand;
-      for (int i = 0; i < 3; ++i) table += "," + decimal(place.translation[i], 8);
-      for (int i = 0; i < 4; ++i) table += "," + decimal(place.rotation.coeffs()[i], 9);
-      for (int i = 0; i < kAngleCount; ++i) table += "," + decimal(frame.pose->angles[i], 8);
+      for (int i = 0; i < 3; ++i) table += fmt::format(",{}", decimal(place.translation[i], 8));
+      for (int i = 0; i < 4; ++i)
+        table += fmt::format(",{}", decimal(place.rotation.coeffs()[i], 9));
+      for (int i = 0; i < kAngleCount; ++i)
+        table += fmt::format(",{}", decimal(frame.pose->angles[i], 8));
     } else {
       table += std::string(kPoseCells + kAngleCount, ',');
     }
