@@ -9,6 +9,7 @@
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
 #include "tegata/fit/shape_system.h"
+#include "tegata/fit/surroundings.h"
 #include "tegata/hand/scaled_hand.h"
 
 namespace tegata {
@@ -214,6 +215,21 @@ struct Found {
   Descent descent;
 };
 
+// The frames of grasps with the forearm drawn where the estimates have it.
+struct SurroundedGrasps {
+  SurroundedGrasps(const FitHand& hand, std::span<const GraspFrames> grasps,
+                   const std::vector<HandEstimate>& estimates, int threads) {
+    frames.reserve(grasps.size());
+    for (std::size_t g = 0; g < grasps.size(); ++g) {
+      frames.push_back(with_surroundings(hand, grasps[g].frames, estimates[g], {}, threads));
+      pointers.push_back({pointers_to(frames.back()), estimates[g]});
+    }
+  }
+
+  std::vector<std::vector<FitFrame>> frames;
+  std::vector<GraspFrames> pointers;
+};
+
 Found minimise_all(const SoughtShape& sought, const Eigen::VectorXd& start,
                    const FitSchedule& schedule, int threads, std::span<GraspFrames> grasps) {
   Estimate estimate;
@@ -228,7 +244,8 @@ Found minimise_all(const SoughtShape& sought, const Eigen::VectorXd& start,
   const FitHand hand(mean->model());
   Found found;
   for (const FitStage& stage : schedule.stages) {
-    const Problem problem(sought, hand, grasps, stage, threads);
+    const SurroundedGrasps surrounded(hand, grasps, estimate.grasps, threads);
+    const Problem problem(sought, hand, surrounded.pointers, stage, threads);
     Linearisation current = problem.linearise(estimate);
     const Descent descent = descend(problem, stage.most_iterations, estimate, current);
     found.descent = {found.descent.iterations + descent.iterations, descent.termination};
