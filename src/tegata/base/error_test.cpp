@@ -15,9 +15,7 @@ TEST(Error, LineBreaksAndOtherControlCharactersOfAQuoteStayOnOneLine) {
   EXPECT_STREQ(Error("hand = \"a\n\r\x1b[31mb\"").what(), R"(hand = "a\n\x0d\x1b[31mb")");
 }
 
-TEST(Error, LettersOfOtherScriptsAreKept) {
-  EXPECT_STREQ(Error("take 手形").what(), "take 手形");
-}
+TEST(Error, LettersOfOtherScriptsAreKept) { EXPECT_STREQ(Error("take 手形").what(), "take 手形"); }
 
 }  // namespace
 }  // namespace tegata
