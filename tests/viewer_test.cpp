@@ -97,10 +97,10 @@ class Viewer : public testing::Test {
   fs::path take() const { return folder_ / "take"; }
   fs::path result() const { return folder_ / "result"; }
 
-  void make_result() const {
+  void make_result(std::size_t frame_count = kFrames) const {
     ASSERT_EQ(run_program({"simulate", take().string(), "--grasp", "cylinder", "--cameras", "3",
-                           "--frames", std::to_string(kFrames), "--turn-deg", "4", "--no-forearm",
-                           "--quiet"})
+                           "--frames", std::to_string(frame_count), "--turn-deg", "4",
+                           "--no-forearm", "--quiet"})
                   .exit_code,
               0);
     const fs::path pictures = take() / "images" / "camera_1";
@@ -109,6 +109,7 @@ class Viewer : public testing::Test {
       return pictures / (std::string(6 - name.size(), '0') + name + ".png");
     };
     for (const std::size_t i : {kBroken - 1, kBroken, kBroken + 1}) {
+      if (i >= frame_count) break;
       fs::copy_file(file(i - 30), file(i), fs::copy_options::overwrite_existing);
     }
     Take opened = Take::open(take());
@@ -144,7 +145,7 @@ TEST_F(Viewer, ReportOfSixtyFramesWorksInABrowser) {
 }
 
 TEST_F(Viewer, ReportWithoutTheTakeHasNoPictures) {
-  ASSERT_NO_FATAL_FAILURE(make_result());
+  ASSERT_NO_FATAL_FAILURE(make_result(4));
   const fs::path page = folder_ / "alone.html";
   const ProgramRun run = run_program({"report", result().string(), "-o", page.string(), "--quiet"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -161,7 +162,7 @@ TEST_F(Viewer, ViewSaysWhereThePageIsOrHowToMakeIt) {
   const ProgramRun missing = run_program({"view", result().string()});
   EXPECT_EQ(missing.exit_code, 1);
   ASSERT_EQ(missing.error_lines().size(), 1u) << missing.err;
-  EXPECT_TRUE(says(missing.err, "report.html", "tegata report"));
+  EXPECT_TRUE(says(missing.error_lines().front(), "report.html", "tegata report"));
   write_text(result() / "report.html", "<!doctype html>");
   const ProgramRun found = run_program({"view", result().string()});
   EXPECT_EQ(found.exit_code, 0) << found.err;
