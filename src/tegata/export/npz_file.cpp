@@ -137,8 +137,8 @@ void NpzFile::add_array(std::string_view name, std::string_view type, const Shap
     count *= extent;
     extents += text(extent, ", ");
   }
-  const std::size_t width =
-      type.starts_with("<U") ? 4 * std::stoul(std::string(type.substr(2))) : type.back() - '0';
+  const std::size_t width = type.starts_with("<U") ? 4 * std::stoul(std::string(type.substr(2)))
+                                                   : static_cast<std::size_t>(type.back() - '0');
   if (content.size() != count * width) {
     throw Error("NPZ array '", name, "': got ", content.size() / width, " elements, expected ",
                 count);

@@ -35,7 +35,8 @@ struct Scene {
       frames.emplace_back(known[k], PosedHand(hand, truth[k]).surface());
     }
   }
-  const HandModel& hand = test::coarse_hand();
+  // Of few triangles, which keeps the tests short under the sanitizers.
+  const HandModel hand = built_in_hand(HandShape{}, Side::right, {.triangle_count = 600});
   FitHand fit_hand{hand};
   std::vector<HandPose> truth;
   std::vector<FitFrame> known;
@@ -73,9 +74,9 @@ TEST(PaperEnergy, SlopesAreThoseOfTheEnergy) {
 
 TEST(PaperFit, FindsASlightlyDisplacedHandAgain) {
   const Scene scene(1);
-  const PaperFit fit = fit_paper(scene.fit_hand, scene.frames, {}, {});
-  EXPECT_LT(test::mean_keypoint_distance(scene.hand, fit.poses[0], scene.truth[0]), 0.003);
-  for (const double weight : fit.weights[0]) EXPECT_GT(weight, 0.8);
+  const PaperFit fit = fit_paper(scene.fit_hand, scene.frames, short_options(), {});
+  EXPECT_LT(test::mean_keypoint_distance(scene.hand, fit.poses[0], scene.truth[0]), 0.004);
+  for (const double weight : fit.weights[0]) EXPECT_GT(weight, 0.7);
 }
 
 TEST(PaperFit, AllFramesShareOneSetOfAngles) {
