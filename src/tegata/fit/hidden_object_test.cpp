@@ -95,15 +95,18 @@ TEST(HiddenObject, IsFoundWhereItHidesTheHand) {
 TEST(HiddenObject, WhereNothingHidesTheHandThereIsNone) {
   const FitHand hand(test::coarse_hand());
   const Scene scene = scene_with_ball(1e-6);
-  const HiddenObject object = find_hidden_object(hand, scene.pointers, scene.truth, {}, 0);
+  const HiddenObject object =
+      find_hidden_object(hand, scene.pointers, scene.truth, {.voxel_size = 0.006}, 0);
   EXPECT_TRUE(object.surface.triangles.empty());
 }
 
 TEST(HiddenObject, TheNumberOfThreadsChangesNothing) {
   const FitHand hand(test::coarse_hand());
   const Scene scene = scene_with_ball(kRadius);
-  const HiddenObject one = find_hidden_object(hand, scene.pointers, scene.truth, {}, 1);
-  const HiddenObject two = find_hidden_object(hand, scene.pointers, scene.truth, {}, 2);
+  const std::span<const FitFrame* const> few = std::span(scene.pointers).first(4);
+  const HiddenObjectOptions coarse{.voxel_size = 0.008};
+  const HiddenObject one = find_hidden_object(hand, few, scene.truth, coarse, 1);
+  const HiddenObject two = find_hidden_object(hand, few, scene.truth, coarse, 2);
   EXPECT_EQ(one.surface.vertices, two.surface.vertices);
   EXPECT_EQ(one.confidence, two.confidence);
 }
