@@ -63,18 +63,6 @@ std::vector<JointAngles> proposals(const JointAngles& angles) {
   return proposed;
 }
 
-SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames,
-                    const FitSchedule& schedule, int threads, HandEstimate& estimate) {
-  SolverReport report;
-  int iterations = 0;
-  for (const FitStage& stage : schedule.stages) {
-    report = minimise(hand, frames, stage, threads, estimate);
-    iterations += report.iterations;
-  }
-  report.iterations = iterations;
-  return report;
-}
-
 struct Trial {
   HandEstimate estimate;
   double energy = 0.0;
@@ -110,18 +98,15 @@ std::optional<SolverReport> reseat_digits(const FitHand& hand,
                                           HandEstimate& estimate) {
   std::vector<const FitFrame*> few;
   HandEstimate best{estimate.angles, {}};
-  const std::size_t count = std::min(kTrialFrames, frames.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t f = count == 1 ? 0 : i * (frames.size() - 1) / (count - 1);
+  for (const std::size_t f : spread(frames.size(), kTrialFrames)) {
     few.push_back(frames[f]);
     best.world_from_hand.push_back(estimate.world_from_hand[f]);
   }
-  const FitSchedule coarse{{schedule.stages.front()}};
-  double energy = settle(hand, few, coarse, threads, best).energy;
+  const FitStage& coarse = schedule.stages.front();
+  double energy = minimise(hand, few, coarse, threads, best).energy;
   bool is_any_better = false;
   for (int round = 0; round < kMostRounds; ++round) {
-    const std::optional<Trial> better =
-        best_trial(hand, few, schedule.stages.front(), threads, best);
+    const std::optional<Trial> better = best_trial(hand, few, coarse, threads, best);
     if (!better || better->energy > (1.0 - kLeastGain) * energy) break;
     energy = better->energy;
     best = better->estimate;
@@ -131,7 +116,7 @@ std::optional<SolverReport> reseat_digits(const FitHand& hand,
 
   FitStage last = schedule.stages.back();
   HandEstimate after{best.angles, estimate.world_from_hand};
-  const SolverReport report = settle(hand, frames, schedule, threads, after);
+  const SolverReport report = minimise(hand, frames, schedule, threads, after);
   last.most_iterations = 0;
   const double energy_before = minimise(hand, frames, last, threads, estimate).energy;
   if (report.energy > (1.0 - kLeastGain) * energy_before) return std::nullopt;

@@ -23,14 +23,10 @@ struct AxisPoint {
   double along = 0.0, radius = 0.0;
 };
 
-struct Ring {
-  double along = 0.0, radius = 0.0;
-};
-
-std::vector<Ring> rings_of(const std::vector<AxisPoint>& points, double scale) {
+std::vector<AxisPoint> rings_of(const std::vector<AxisPoint>& points, double scale) {
   double last = 0.0;
   for (const AxisPoint& point : points) last = std::max(last, point.along);
-  std::vector<Ring> rings;
+  std::vector<AxisPoint> rings;
   for (double along = kBegin * scale; along < last + kRingDistance * scale;
        along += kRingDistance * scale) {
     std::vector<double> radii;
@@ -49,10 +45,10 @@ std::vector<Ring> rings_of(const std::vector<AxisPoint>& points, double scale) {
   return rings;
 }
 
-TriangleMesh body(const std::vector<Ring>& rings, const Eigen::Vector3d& axis) {
+TriangleMesh body(const std::vector<AxisPoint>& rings, const Eigen::Vector3d& axis) {
   TriangleMesh mesh;
   const Eigen::Vector3d across = axis.unitOrthogonal(), third = axis.cross(across);
-  for (const Ring& ring : rings) {
+  for (const AxisPoint& ring : rings) {
     for (std::uint32_t i = 0; i < kSectors; ++i) {
       const double turn = 2.0 * std::numbers::pi * i / kSectors;
       mesh.vertices.push_back(ring.along * axis +
@@ -96,7 +92,7 @@ std::optional<TriangleMesh> find_forearm(const FitHand& hand, const FitFrame& fr
     const double along = axis.dot(point);
     points.push_back({along, (point - along * axis).norm()});
   }
-  const std::vector<Ring> rings = rings_of(points, hand.scale);
+  const std::vector<AxisPoint> rings = rings_of(points, hand.scale);
   if (rings.size() < 2) return std::nullopt;
   TriangleMesh mesh = body(rings, axis);
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex = world_from_hand * vertex;

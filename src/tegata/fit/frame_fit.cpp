@@ -84,17 +84,33 @@ std::vector<FitSchedule> holding(std::vector<FitSchedule> schedules, const Joint
   return schedules;
 }
 
+SolverReport minimise(const FitHand& hand, std::span<const FitFrame* const> frames,
+                      const FitSchedule& schedule, int threads, HandEstimate& estimate) {
+  SolverReport report;
+  int iterations = 0;
+  for (const FitStage& stage : schedule.stages) {
+    report = minimise(hand, frames, stage, threads, estimate);
+    iterations += report.iterations;
+  }
+  report.iterations = iterations;
+  return report;
+}
+
+std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> chosen;
+  const std::size_t kept = std::min(count, most);
+  for (std::size_t i = 0; i < kept; ++i) {
+    chosen.push_back(kept == 1 ? 0 : i * (count - 1) / (kept - 1));
+  }
+  return chosen;
+}
+
 FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& start,
                    const FitSchedule& schedule) {
   HandEstimate estimate{start.angles, {start.world_from_hand}};
   const FitFrame* const frames[] = {&frame};
   FrameFit fit;
-  int iterations = 0;
-  for (const FitStage& stage : schedule.stages) {
-    fit.report = minimise(hand, frames, stage, 1, estimate);
-    iterations += fit.report.iterations;
-  }
-  fit.report.iterations = iterations;
+  fit.report = minimise(hand, frames, schedule, 1, estimate);
   fit.pose = estimate.pose(0);
   return fit;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,14 @@ inline constexpr double kKnownDeviations[] = {0.02, 0.02, 0.02, 0.02};
 /// alike, so the stages are counted from the end.
 std::vector<FitSchedule> holding(std::vector<FitSchedule> schedules, const JointAngles& angles,
                                  AngleDeviations deviations);
+
+/// Minimises by all stages of a schedule, one after the other (solver.h). The report is the last
+/// stage's, with the iterations of all.
+SolverReport minimise(const FitHand& hand, std::span<const FitFrame* const> frames,
+                      const FitSchedule& schedule, int threads, HandEstimate& estimate);
+
+/// At most so many of `count` frames, one or more, spread over all.
+std::vector<std::size_t> spread(std::size_t count, std::size_t most);
 
 /// One hand found in one frame.
 struct FrameFit {

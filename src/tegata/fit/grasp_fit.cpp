@@ -26,19 +26,6 @@ constexpr double kDeviationScale = 0.6;
 constexpr double kFixedDeviations[] = {0.03, 0.06, 0.1, 0.15};
 constexpr double kFreeDeviations[] = {0.1, 0.15, 0.2, 0.3};
 
-std::vector<HandPose> starts_from_nothing(const FitHand& hand, const FitFrame& frame,
-                                          const std::vector<JointAngles>& angles) {
-  const std::vector<Rigid3d> poses =
-      frame.landmarks
-          ? std::vector<Rigid3d>{pose_from_landmarks(hand.model->skeleton, *frame.landmarks)}
-          : poses_at_ends(hand, hand_ends(hand, frame));
-  std::vector<HandPose> starts;
-  for (const Rigid3d& pose : poses) {
-    for (const JointAngles& bent : angles) starts.push_back({pose, bent});
-  }
-  return starts;
-}
-
 // A frame after the first: from where the hand was or would be and, where that fits far worse than
 // the frames before did, from nothing: the hand may have been lost.
 FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const std::vector<FrameFit>& before,
@@ -94,16 +81,6 @@ HandEstimate median_estimate(const std::vector<FrameFit>& fits) {
 
 JointAngles standard_deviations(const SolverReport& report) {
   return kDeviationScale * report.angle_covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-}
-
-// At most so many of `count` frames, spread over all.
-std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
-  std::vector<std::size_t> chosen;
-  const std::size_t kept = std::min(count, most);
-  for (std::size_t i = 0; i < kept; ++i) {
-    chosen.push_back(kept == count ? i : i * (count - 1) / (kept - 1));
-  }
-  return chosen;
 }
 
 // One set of angles from frames spread over all, and with it the poses of the others.

@@ -19,18 +19,6 @@ constexpr double kSuspectEnergyRatio = 1.3;
 constexpr double kJumpAngle = 0.06;    // [rad]
 constexpr double kJumpLength = 0.005;  // [m]
 
-SolverReport fit_together(const FitHand& hand, std::span<const FitFrame* const> frames,
-                          const FitSchedule& schedule, int threads, HandEstimate& estimate) {
-  SolverReport report;
-  int iterations = 0;
-  for (const FitStage& stage : schedule.stages) {
-    report = minimise(hand, frames, stage, threads, estimate);
-    iterations += report.iterations;
-  }
-  report.iterations = iterations;
-  return report;
-}
-
 // Seeks the frames that fit worse than most anew, with the angles known, from their neighbours'
 // poses. True where any was found elsewhere.
 bool seek_suspects(const FitHand& hand, std::span<const FitFrame* const> frames,
@@ -95,7 +83,7 @@ void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
 SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames,
                     const FitSchedule& schedule, bool reseats, const JointFitOptions& options,
                     HandEstimate& estimate) {
-  SolverReport report = fit_together(hand, frames, schedule, options.threads, estimate);
+  SolverReport report = minimise(hand, frames, schedule, options.threads, estimate);
   int iterations = report.iterations;
   if (reseats) {
     if (const std::optional<SolverReport> better =
@@ -105,7 +93,7 @@ SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames
     }
   }
   if (seek_suspects(hand, frames, report.frame_energies, options, estimate)) {
-    report = fit_together(hand, frames, schedule, options.threads, estimate);
+    report = minimise(hand, frames, schedule, options.threads, estimate);
     iterations += report.iterations;
   }
   report.iterations = iterations;

@@ -140,15 +140,7 @@ Settling settle_from_coarse_to_fine(const FitHand& hand, std::span<const PaperFr
 // IV-B, step 1: the rough initial pose. From landmarks, or from the hull's ends where there are
 // none; of a few typical grasps that which lies closest to the hull.
 HandPose rough_pose(const FitHand& hand, const PaperFrame& first, const PaperFitOptions& options) {
-  const FitFrame& frame = *first.frame;
-  const std::vector<Rigid3d> poses =
-      frame.landmarks
-          ? std::vector<Rigid3d>{pose_from_landmarks(hand.model->skeleton, *frame.landmarks)}
-          : poses_at_ends(hand, hand_ends(hand, frame));
-  std::vector<HandPose> starts;
-  for (const Rigid3d& pose : poses) {
-    for (const JointAngles& angles : typical_angles()) starts.push_back({pose, angles});
-  }
+  std::vector<HandPose> starts = starts_from_nothing(hand, *first.frame, typical_angles());
   const std::vector<PaperEnergy> energy =
       energies_of(hand, std::span(&first, 1), options.sigmas.front());
   std::vector<double> reached(starts.size());

@@ -123,4 +123,17 @@ std::vector<Rigid3d> poses_at_ends(const FitHand& hand, const std::vector<HullEn
   return poses;
 }
 
+std::vector<HandPose> starts_from_nothing(const FitHand& hand, const FitFrame& frame,
+                                          const std::vector<JointAngles>& angles) {
+  const std::vector<Rigid3d> poses =
+      frame.landmarks
+          ? std::vector<Rigid3d>{pose_from_landmarks(hand.model->skeleton, *frame.landmarks)}
+          : poses_at_ends(hand, hand_ends(hand, frame));
+  std::vector<HandPose> starts;
+  for (const Rigid3d& pose : poses) {
+    for (const JointAngles& bent : angles) starts.push_back({pose, bent});
+  }
+  return starts;
+}
+
 }  // namespace tegata

@@ -32,4 +32,10 @@ std::vector<HullEnd> hand_ends(const FitHand& hand, const FitFrame& frame);
 /// about it all around and tilted to either side.
 std::vector<Rigid3d> poses_at_ends(const FitHand& hand, const std::vector<HullEnd>& ends);
 
+/// Where a fit of a frame may start that nothing else is known of: at its landmarks or, without
+/// them, at the hull's ends, with each of the given angles. The frame needs the one or the other;
+/// throws Error otherwise.
+std::vector<HandPose> starts_from_nothing(const FitHand& hand, const FitFrame& frame,
+                                          const std::vector<JointAngles>& angles);
+
 }  // namespace tegata
