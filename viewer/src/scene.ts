@@ -206,8 +206,9 @@ export class HandScene {
     this.draw();
   }
 
-  /** Soon, and once for all changes until then. */
+  /** Soon, and once for all changes until then; the canvas names its frame when all are drawn. */
   private draw(): void {
+    delete this.canvas.dataset['frame'];
     if (this.isStale) return;
     this.isStale = true;
     requestAnimationFrame(() => {

@@ -62,8 +62,13 @@ async function openReport(options) {
   const opened = await open(file, options);
   const state = await opened.page.evaluate(() => document.documentElement.dataset.state);
   assert.equal(state, 'ready', opened.problems.join('\n'));
-  await opened.page.waitForFunction(() => document.querySelector('.view canvas')?.dataset.frame);
+  await sceneIsDrawn(opened.page);
   return opened;
+}
+
+/** When the 3D picture shows all that was asked of it so far. */
+async function sceneIsDrawn(page) {
+  await page.waitForFunction(() => document.querySelector('.view canvas')?.dataset.frame);
 }
 
 /** What each part of the page says that it shows. */
@@ -159,7 +164,7 @@ test('the hand is where the cameras saw it', async () => {
     await assertShows(page, frame);
     for (const [index, camera] of data.cameras.entries()) {
       await page.click(`button[data-view="${camera.name}"]`);
-      await page.waitForTimeout(300);
+      await sceneIsDrawn(page);
       const overlap = await page.evaluate(({ camera, packed }) => {
         const source = document.querySelector('.view canvas');
         const { width, height } = source;
@@ -209,6 +214,7 @@ test('pointing at a frame in any part moves all others', async () => {
     ['.strip', 52, (i) => (i + 0.5) / frameCount],
     ['.strip', 50, (i) => (i + 0.5) / frameCount],
   ];
+  await sceneIsDrawn(page);
   await scenePixels(page);
   for (const [selector, frame, share] of places) {
     await pressAt(page, selector, share(frame));
