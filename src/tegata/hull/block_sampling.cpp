@@ -73,9 +73,13 @@ struct Words {
   alignas(64) Lanes against;  // 1 where it does not see the hand itself there, else 0
 };
 
+// Whether the picture shows all points of the block: then none is asked whether it is seen.
+enum class Sees { all, some };
+
 // Conditions are numbers here and below: that is what compilers make vectors of.
 TEGATA_KERNEL float one_if(bool condition) { return condition ? 1.0f : 0.0f; }
 
+template <Sees kSees>
 TEGATA_KERNEL void project(const SampledView& view, const BlockPoints& points,
                            Projections& projections) {
   const std::array<float, 3> o = view.origin, a = view.steps[0], b = view.steps[1],
@@ -91,8 +95,10 @@ TEGATA_KERNEL void project(const SampledView& view, const BlockPoints& points,
     projections.depth[i] = depth;
     projections.x[i] = x - left;
     projections.y[i] = y - top;
-    projections.seen[i] = one_if(depth > least_depth) * one_if(x >= -0.5f) * one_if(y >= -0.5f) *
-                          one_if(x < right) * one_if(y < bottom);
+    if constexpr (kSees == Sees::some) {
+      projections.seen[i] = one_if(depth > least_depth) * one_if(x >= -0.5f) * one_if(y >= -0.5f) *
+                            one_if(x < right) * one_if(y < bottom);
+    }
   }
 }
 
@@ -110,7 +116,7 @@ TEGATA_KERNEL float right_of(std::uint32_t pair) {
   return static_cast<float>(static_cast<std::int32_t>(pair) >> 16);
 }
 
-template <typename Gather>
+template <typename Gather, Sees kSees>
 TEGATA_KERNEL void ask_view(const SampledView& view, const Projections& projections, Words& words) {
   const std::int32_t stride = view.distance.width(), last_row = view.distance.height() - 2;
   const float last_x = static_cast<float>(stride - 1), last_y = static_cast<float>(last_row + 1);
@@ -137,16 +143,20 @@ TEGATA_KERNEL void ask_view(const SampledView& view, const Projections& projecti
     const float within = step * (upper + v * (lower - upper));
     const float beyond = std::abs(x - in_x) + std::abs(y - in_y);
     const float pixels = within - (within > 0.0f ? 0.0f : beyond);
-    const float seen = projections.seen[i];
-    const float field = pixels * projections.depth[i] * metres_per_pixel;
-    words.field[i] = seen > 0.0f ? field : kNobody;
-    words.against[i] = seen * one_if(!(pixels > 0.0f));
+    words.field[i] = pixels * projections.depth[i] * metres_per_pixel;
+  }
+  if constexpr (kSees == Sees::some) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      words.field[i] = projections.seen[i] > 0.0f ? words.field[i] : kNobody;
+    }
   }
 }
 
-// Adds the points whose nearest pixel is unknown to those that speak against the hand.
-TEGATA_KERNEL void ask_unknown(const SampledView& view, const Projections& projections,
-                               Words& words) {
+// Where a view sees background or, where its nearest pixel is unknown, proves nothing.
+TEGATA_KERNEL void speak_against(const SampledView& view, const Projections& projections,
+                                 Words& words) {
+  for (std::size_t i = 0; i < kLanes; ++i) words.against[i] = one_if(!(words.field[i] > 0.0f));
+  if (view.unknown.empty()) return;
   const float* const unknown = view.unknown.values().data();
   const std::int32_t stride = view.unknown.width();
   const float last_x = static_cast<float>(stride - 1);
@@ -154,7 +164,7 @@ TEGATA_KERNEL void ask_unknown(const SampledView& view, const Projections& proje
   for (std::size_t i = 0; i < kLanes; ++i) {
     const auto column = static_cast<std::int32_t>(limited(projections.x[i] + 0.5f, last_x));
     const auto row = static_cast<std::int32_t>(limited(projections.y[i] + 0.5f, last_y));
-    const float marked = unknown[row * stride + column] * projections.seen[i];
+    const float marked = words.field[i] < kNobody ? unknown[row * stride + column] : 0.0f;
     words.against[i] = std::max(words.against[i], marked);
   }
 }
@@ -179,9 +189,28 @@ TEGATA_KERNEL void judge_views(const SamplingRule& rule, const ViewSets& seeing,
   }
 }
 
+// Raises the `kept` smallest values so far by those of one more view.
+TEGATA_KERNEL void keep_smallest(std::array<Lanes, kMostDissentingViews + 1>& smallest,
+                                 std::size_t kept, Lanes& fields) {
+  for (std::size_t k = 0; k < kept; ++k) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const float held = smallest[k][i], field = fields[i];
+      smallest[k][i] = std::min(held, field);
+      fields[i] = std::max(held, field);
+    }
+  }
+}
+
+TEGATA_KERNEL bool is_any_positive(const Lanes& values) {
+  std::int32_t any = 0;
+  for (std::size_t i = 0; i < kLanes; ++i) any |= values[i] > 0.0f ? 1 : 0;
+  return any != 0;
+}
+
 template <typename Gather>
 TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingRule& rule,
-                          ViewSet certain, const LatticeIndex& low, SilhouetteBlock& block) {
+                          const BlockKnowledge& known, const LatticeIndex& low,
+                          SilhouetteBlock& block) {
   BlockPoints points;
   for (std::size_t i = 0; i < kLanes; ++i) {
     points.x[i] = static_cast<float>(low[0]) + kOffsets.x[i];
@@ -191,29 +220,34 @@ TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingR
   alignas(64) std::array<Lanes, kMostDissentingViews + 1> smallest;  // in rising order
   const std::size_t kept = rule.dissenting_views + 1;
   for (std::size_t k = 0; k < kept; ++k) smallest[k].fill(rule.largest_value);
+  bool is_any_unknown = false;  // without any, what is inside has no more against it than may be
+  for (const SampledView& view : views) is_any_unknown |= !view.unknown.empty();
   alignas(64) Lanes seeing_count, against{}, enough;
   alignas(64) ViewSets seeing;
-  seeing.fill(static_cast<std::int32_t>(certain));
-  seeing_count.fill(static_cast<float>(std::popcount(certain)));
+  const ViewSet whole = known.certain | known.whole;
+  seeing.fill(static_cast<std::int32_t>(whole));
+  seeing_count.fill(static_cast<float>(std::popcount(whole)));
   Projections projections;
   Words words;
   for (std::size_t v = 0; v < views.size(); ++v) {
-    if ((certain >> v & 1u) != 0) continue;
+    if ((known.certain >> v & 1u) != 0) continue;
     const SampledView& view = views[v];
-    project(view, points, projections);
-    ask_view<Gather>(view, projections, words);
-    if (!view.unknown.empty()) ask_unknown(view, projections, words);
-    const auto self = static_cast<std::int32_t>(ViewSet{1} << v);
-    for (std::size_t i = 0; i < kLanes; ++i) seeing_count[i] += projections.seen[i];
-    for (std::size_t i = 0; i < kLanes; ++i) seeing[i] |= projections.seen[i] > 0.0f ? self : 0;
-    for (std::size_t i = 0; i < kLanes; ++i) against[i] += words.against[i];
-    for (std::size_t k = 0; k < kept; ++k) {
-      for (std::size_t i = 0; i < kLanes; ++i) {
-        const float held = smallest[k][i], field = words.field[i];
-        smallest[k][i] = std::min(held, field);
-        words.field[i] = std::max(held, field);
-      }
+    if ((known.whole >> v & 1u) != 0) {
+      project<Sees::all>(view, points, projections);
+      ask_view<Gather, Sees::all>(view, projections, words);
+    } else {
+      project<Sees::some>(view, points, projections);
+      ask_view<Gather, Sees::some>(view, projections, words);
+      const auto self = static_cast<std::int32_t>(ViewSet{1} << v);
+      for (std::size_t i = 0; i < kLanes; ++i) seeing_count[i] += projections.seen[i];
+      for (std::size_t i = 0; i < kLanes; ++i) seeing[i] |= projections.seen[i] > 0.0f ? self : 0;
     }
+    if (is_any_unknown) {
+      speak_against(view, projections, words);
+      for (std::size_t i = 0; i < kLanes; ++i) against[i] += words.against[i];
+    }
+    keep_smallest(smallest, kept, words.field);
+    if (!is_any_positive(smallest[rule.dissenting_views])) break;  // what is outside stays so
   }
   judge_views(rule, seeing, seeing_count, enough);
   const float outside_value = rule.outside_value;
@@ -228,20 +262,22 @@ TEGATA_KERNEL void sample(const std::vector<SampledView>& views, const SamplingR
   }
 }
 
-using Sample = void(const std::vector<SampledView>&, const SamplingRule&, ViewSet,
+using Sample = void(const std::vector<SampledView>&, const SamplingRule&, const BlockKnowledge&,
                     const LatticeIndex&, SilhouetteBlock&);
 
 void sample_baseline(const std::vector<SampledView>& views, const SamplingRule& rule,
-                     ViewSet certain, const LatticeIndex& low, SilhouetteBlock& block) {
-  sample<PlainGather>(views, rule, certain, low, block);
+                     const BlockKnowledge& known, const LatticeIndex& low, SilhouetteBlock& block) {
+  sample<PlainGather>(views, rule, known, low, block);
 }
 TEGATA_AVX2 void sample_avx2(const std::vector<SampledView>& views, const SamplingRule& rule,
-                             ViewSet certain, const LatticeIndex& low, SilhouetteBlock& block) {
-  sample<VectorGather>(views, rule, certain, low, block);
+                             const BlockKnowledge& known, const LatticeIndex& low,
+                             SilhouetteBlock& block) {
+  sample<VectorGather>(views, rule, known, low, block);
 }
 TEGATA_AVX512 void sample_avx512(const std::vector<SampledView>& views, const SamplingRule& rule,
-                                 ViewSet certain, const LatticeIndex& low, SilhouetteBlock& block) {
-  sample<VectorGather>(views, rule, certain, low, block);
+                                 const BlockKnowledge& known, const LatticeIndex& low,
+                                 SilhouetteBlock& block) {
+  sample<VectorGather>(views, rule, known, low, block);
 }
 
 }  // namespace
@@ -276,10 +312,11 @@ bool SamplingRule::suffices(ViewSet views) const {
   return false;
 }
 
-void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule, ViewSet certain,
-                  const LatticeIndex& low, InstructionSet set, SilhouetteBlock& block) {
+void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule,
+                  const BlockKnowledge& known, const LatticeIndex& low, InstructionSet set,
+                  SilhouetteBlock& block) {
   constexpr std::array<Sample*, 3> kSamples = {sample_baseline, sample_avx2, sample_avx512};
-  kSamples[static_cast<std::size_t>(set)](views, rule, certain, low, block);
+  kSamples[static_cast<std::size_t>(set)](views, rule, known, low, block);
 }
 
 }  // namespace tegata

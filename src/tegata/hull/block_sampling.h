@@ -55,6 +55,12 @@ struct SamplingRule {
 
 using SilhouetteBlock = BlockValues<4>;
 
+/// What is known of a block, so that views are asked no more than they need be.
+struct BlockKnowledge {
+  ViewSet certain = 0;  ///< see all its points as hand, farther inside than largest_value
+  ViewSet whole = 0;    ///< see all its points, as whatever
+};
+
 /// Each pixel's value and its right neighbour's in 16 bits each (low and high), in steps of
 /// packing_step(largest), so that one look-up fetches both. Values are within -largest .. largest.
 Image<std::uint32_t> packed_pairs(const Image<float>& values, float largest);
@@ -63,10 +69,10 @@ float packing_step(float largest);
 /// The field at the points of a block: the (dissenting_views + 1)th smallest of how far inside
 /// their silhouettes' edges the views that see the point say that it is [m]. Unproven are points
 /// that only unknown pixels keep inside, and those that are outside because too few views see them.
+/// Of a block without any point inside nothing but that is right: no leaf comes of it.
 /// Every instruction set gives the same bits; it must be supported.
-/// `certain` are views that see all points of the block as hand, farther inside than
-/// largest_value.
-void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule, ViewSet certain,
-                  const LatticeIndex& low, InstructionSet set, SilhouetteBlock& block);
+void sample_block(const std::vector<SampledView>& views, const SamplingRule& rule,
+                  const BlockKnowledge& known, const LatticeIndex& low, InstructionSet set,
+                  SilhouetteBlock& block);
 
 }  // namespace tegata

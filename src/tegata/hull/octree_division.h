@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <concepts>
@@ -57,6 +58,9 @@ class OctreeDivision {
     field_.origin = root_.origin;
     field_.cell_size = root_.cell_size;
     field_.levels.resize(static_cast<std::size_t>(root_.depth) + 1);
+    // As many leaves as one of the cube's faces has cells: more than most surfaces need, and memory
+    // that is not written to costs nothing.
+    field_.leaves.reserve(std::size_t{1} << (2 * std::min(root_.depth, kMostReservedDepth)));
     visit({0, 0, 0}, 0, typename Source::State{});
     return std::move(field_);
   }
@@ -66,6 +70,7 @@ class OctreeDivision {
   using Block = BlockValues<kCells>;
   static constexpr std::size_t kSide = Block::kSide;
   static_assert(kCells == 2 || kCells == 4);
+  static constexpr int kMostReservedDepth = 9;
   // Of a row of cells; the baseline instruction set has no count of its own.
   static constexpr std::array<std::uint8_t, 16> kBitCount = {0, 1, 1, 2, 1, 2, 2, 3,
                                                              1, 2, 2, 3, 2, 3, 3, 4};
@@ -100,6 +105,9 @@ class OctreeDivision {
     for (int below = level + 1, cells = 8; below <= root_.depth; ++below, cells *= 8) {
       field_.levels[static_cast<std::size_t>(below)].visited += static_cast<std::size_t>(cells);
     }
+    std::uint8_t unproven = 0;
+    for (std::size_t i = 0; i < Block::kPoints; ++i) unproven |= block_.unproven[i];
+    is_any_unproven_ = unproven != 0;
     // Along each row of points, bit x: inside.
     std::array<std::uint32_t, kSide * kSide> rows;
     for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -137,7 +145,7 @@ class OctreeDivision {
     for (std::size_t i = 0; i < 8; ++i) {
       const std::size_t at = first + (i & 1) + kSide * ((i >> 1 & 1) + kSide * (i >> 2));
       leaf.field[i] = block_.field[at];
-      leaf.unproven |= block_.unproven[at] != 0;
+      if (is_any_unproven_) leaf.unproven |= block_.unproven[at] != 0;
     }
   }
 
@@ -165,6 +173,7 @@ class OctreeDivision {
   OctreeRoot root_;
   Source& source_;
   Block block_;
+  bool is_any_unproven_ = false;  ///< in block_
   SparseField field_;
 };
 

@@ -30,7 +30,7 @@ TEGATA_KERNEL void sweep_row(const std::int16_t* kind_before, const std::int16_t
 }
 
 // Columns are taken so many at a time.
-constexpr std::size_t kChunk = 64;
+constexpr std::size_t kChunk = 32;
 
 // One row: what each pixel looks for has these squared steps along the columns. Both begin `band`
 // entries before the first pixel and go on as far, and a chunk, behind the last.
@@ -41,6 +41,15 @@ struct RowHeights {
 // For each x of a chunk the least of heights[x + q] + q^2 over 0 <= q <= 2 band, less the band.
 TEGATA_KERNEL void least_of_parabolas(const std::int16_t* heights, int band, std::int16_t* least) {
   std::array<std::int16_t, kChunk> lowest;
+  const auto far = static_cast<std::int16_t>((band + 1) * (band + 1));
+  std::int16_t nearest = far;
+  for (std::size_t x = 0; x < kChunk + 2 * static_cast<std::size_t>(band); ++x) {
+    nearest = heights[x] < nearest ? heights[x] : nearest;
+  }
+  if (nearest == far) {  // nothing in reach
+    for (std::size_t x = 0; x < kChunk; ++x) least[x] = far;
+    return;
+  }
   lowest.fill(std::numeric_limits<std::int16_t>::max());
   for (int q = -band; q <= band; ++q) {
     const std::int16_t* shifted = heights + (band + q);
@@ -58,10 +67,17 @@ TEGATA_KERNEL void measure_row(const RowHeights& heights, int band, const std::i
                                std::size_t columns, float* distance) {
   const float limit = static_cast<float>(band);
   for (std::size_t first = 0; first < columns; first += kChunk) {
-    std::array<std::int16_t, kChunk> outside, inside;
-    least_of_parabolas(heights.to_outside.data() + first, band, outside.data());
-    least_of_parabolas(heights.to_inside.data() + first, band, inside.data());
     const std::size_t count = std::min(kChunk, columns - first);
+    std::array<std::int16_t, kChunk> outside{}, inside{};
+    int inside_count = 0;
+    for (std::size_t x = 0; x < count; ++x) inside_count += kind[first + x];
+    // Most chunks are of one kind, of which only one other is looked for.
+    if (inside_count > 0) {
+      least_of_parabolas(heights.to_outside.data() + first, band, outside.data());
+    }
+    if (inside_count < static_cast<int>(count)) {
+      least_of_parabolas(heights.to_inside.data() + first, band, inside.data());
+    }
     for (std::size_t x = 0; x < count; ++x) {
       const bool is_inside = kind[first + x] != 0;
       const float squared = static_cast<float>(is_inside ? outside[x] : inside[x]);
