@@ -52,6 +52,12 @@ FitSchedule contour_first_schedule() {
            with_landmarks(contour_stage(0.008, 0.016, 12), 3.0), contour_stage(0.003, 0.01, 15)}};
 }
 
+FitSchedule follow_schedule() {
+  FitStage coarse = contour_stage(0.008, 0.016, 6);
+  coarse.hull.reset();
+  return {{coarse, contour_stage(0.003, 0.01, 8)}};
+}
+
 FitSchedule grasp_schedule() {
   return {{contour_stage(0.006, 0.012, 15), contour_stage(0.0025, 0.008, 25)}};
 }

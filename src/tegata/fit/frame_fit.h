@@ -19,6 +19,9 @@ FitSchedule hull_first_schedule();
 /// Contours from the beginning: for frames in which something cold has eaten the fingers, so that
 /// the hull lacks them. Ends with the same stage as the other.
 FitSchedule contour_first_schedule();
+/// For the next frame of a stream, from where the hand is expected: contours, and few iterations.
+/// Ends with the same stage as the two before.
+FitSchedule follow_schedule();
 /// For estimates that are already near.
 FitSchedule grasp_schedule();
 /// For estimates that are near, where what hides the hand is known: the hull, which lacks what is

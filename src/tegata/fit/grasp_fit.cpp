@@ -14,6 +14,9 @@ namespace {
 
 // How many of the first frame's starts are followed to the end.
 constexpr std::size_t kKeptStarts = 6;
+// A frame that was followed in a few steps whose energy is so many times the median of those before
+// is sought farther.
+constexpr double kFollowedEnergyRatio = 1.2;
 // A tracked frame whose energy is so many times the median of those before may be lost.
 constexpr double kLostEnergyRatio = 2.0;
 // From the normal equations' deviations to true ones: neighbouring residuals are not independent.
@@ -37,16 +40,22 @@ FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const std::vector<
     starts.push_back(
         {extrapolated(last_but_one.world_from_hand, last.world_from_hand), last.angles});
   }
-  const std::vector<FitSchedule> schedules =
-      holding(options.joint.frame, last.angles,
-              options.grasp == GraspConstraint::free ? AngleDeviations(kFreeDeviations)
-                                                     : AngleDeviations(kFixedDeviations));
-  const FrameFit tracked =
-      fit_frame_from_best(hand, frame, starts, starts.size(), schedules, options.threads);
-  if (tracked.report.energy <= kLostEnergyRatio * median(energies)) return tracked;
+  const AngleDeviations deviations = options.grasp == GraspConstraint::free
+                                         ? AngleDeviations(kFreeDeviations)
+                                         : AngleDeviations(kFixedDeviations);
+  const auto fit_by = [&](std::vector<FitSchedule> schedules) {
+    return fit_frame_from_best(hand, frame, starts, starts.size(),
+                               holding(std::move(schedules), last.angles, deviations),
+                               options.threads);
+  };
+  const double usual = median(energies);
+  const FrameFit followed = fit_by({follow_schedule()});
+  if (followed.report.energy <= kFollowedEnergyRatio * usual) return followed;
+  const FrameFit tracked = fit_by(options.joint.frame);
+  if (tracked.report.energy <= kLostEnergyRatio * usual) return tracked;
   const FrameFit found =
       fit_frame_from_best(hand, frame, starts_from_nothing(hand, frame, {last.angles}), kKeptStarts,
-                          schedules, options.threads);
+                          holding(options.joint.frame, last.angles, deviations), options.threads);
   return found.report.energy < tracked.report.energy ? found : tracked;
 }
 
