@@ -13,7 +13,9 @@ namespace tegata {
 namespace {
 
 // More frames, or finer stages than the first, tell little more of which of two bends is better.
-constexpr std::size_t kTrialFrames = 6;
+constexpr std::size_t kTrialFrames = 5;
+// Bends that differ by less at every joint end alike [rad].
+constexpr double kAlike = 0.35;
 // Steps after which proposals are compared, and how many of them are followed to the end.
 constexpr int kFirstSteps = 3;
 constexpr std::size_t kFollowed = 3;
@@ -35,30 +37,39 @@ JointAngles with_bend(JointAngles angles, int digit, DigitAngles bend) {
 }
 
 // What the angles may be instead: digits that took the place of others come out as bent like these,
-// and what took two fingers for one has one too many in the right place.
+// and what took two fingers for one has one too many in the right place. What is much like the
+// angles themselves or another proposal would come out like it.
 std::vector<JointAngles> proposals(const JointAngles& angles) {
   std::vector<JointAngles> proposed;
+  const auto propose = [&](const JointAngles& other) {
+    const auto is_alike = [&other](const JointAngles& known) {
+      return (known - other).cwiseAbs().maxCoeff() < kAlike;
+    };
+    if (!is_alike(angles) && std::none_of(proposed.begin(), proposed.end(), is_alike)) {
+      proposed.push_back(other);
+    }
+  };
   for (const JointAngles& typical : typical_angles()) {
     for (int digit = 0; digit < kDigitCount; ++digit) {
-      proposed.push_back(with_bend(angles, digit, digit_angles(typical, digit)));
+      propose(with_bend(angles, digit, digit_angles(typical, digit)));
     }
   }
   for (int digit = 1; digit < kDigitCount; ++digit) {
     for (int other = 1; other < kDigitCount; ++other) {
       if (std::abs(other - digit) > 2 || other == digit) continue;
-      proposed.push_back(with_bend(angles, digit, digit_angles(angles, other)));
+      propose(with_bend(angles, digit, digit_angles(angles, other)));
     }
   }
   for (int digit = 1; digit + 1 < kDigitCount; ++digit) {
     const DigitAngles first = digit_angles(angles, digit), second = digit_angles(angles, digit + 1);
-    proposed.push_back(with_bend(with_bend(angles, digit, second), digit + 1, first));
+    propose(with_bend(with_bend(angles, digit, second), digit + 1, first));
   }
   for (int like = 1; like < kDigitCount; ++like) {
     JointAngles all = angles;
     for (int digit = 1; digit < kDigitCount; ++digit) {
       all = with_bend(all, digit, digit_angles(angles, like));
     }
-    proposed.push_back(all);
+    propose(all);
   }
   return proposed;
 }
