@@ -13,7 +13,7 @@ namespace tegata {
 namespace {
 
 // More frames, or finer stages than the first, tell little more of which of two bends is better.
-constexpr std::size_t kTrialFrames = 5;
+constexpr std::size_t kTrialFrames = 6;
 // Bends that differ by less at every joint end alike [rad].
 constexpr double kAlike = 0.35;
 // Steps after which proposals are compared, and how many of them are followed to the end.

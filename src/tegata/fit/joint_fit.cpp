@@ -16,20 +16,20 @@ namespace {
 // A frame whose energy is so many times the median of all frames is sought anew.
 constexpr double kSuspectEnergyRatio = 1.3;
 // A pose that is farther than this from where an evenly moving hand would have it is sought there.
-constexpr double kJumpAngle = 0.06;    // [rad]
-constexpr double kJumpLength = 0.005;  // [m]
+constexpr double kJumpAngle = 0.04;    // [rad]
+constexpr double kJumpLength = 0.003;  // [m]
 
 // Seeks the frames that fit worse than most anew, with the angles known, from their neighbours'
-// poses. True where any was found elsewhere.
+// poses; those in `settled` were found nowhere else before. True where any was found elsewhere.
 bool seek_suspects(const FitHand& hand, std::span<const FitFrame* const> frames,
                    const std::vector<double>& energies, const JointFitOptions& options,
-                   HandEstimate& estimate) {
+                   std::vector<bool>& settled, HandEstimate& estimate) {
   const double limit = kSuspectEnergyRatio * median(energies);
   const std::vector<FitSchedule> schedules =
       holding(options.frame, estimate.angles, kKnownDeviations);
   bool is_any_elsewhere = false;
   for (std::size_t f = 0; f < frames.size(); ++f) {
-    if (energies[f] <= limit) continue;
+    if (energies[f] <= limit || settled[f]) continue;
     std::vector<HandPose> starts = {estimate.pose(f)};
     if (f > 0) starts.push_back(estimate.pose(f - 1));
     if (f + 1 < frames.size()) starts.push_back(estimate.pose(f + 1));
@@ -37,12 +37,23 @@ bool seek_suspects(const FitHand& hand, std::span<const FitFrame* const> frames,
         fit_frame_from_best(hand, *frames[f], starts, starts.size(), schedules, options.threads)
             .pose.world_from_hand;
     constexpr double kElsewhere = 0.1;  // [rad]
+    settled[f] = true;
     if (found.rotation.angularDistance(estimate.world_from_hand[f].rotation) > kElsewhere) {
       estimate.world_from_hand[f] = found;
+      settled[f] = false;
       is_any_elsewhere = true;
     }
   }
   return is_any_elsewhere;
+}
+
+// Half-way from one pose to another along the screw motion that leads there.
+Rigid3d half_way(const Rigid3d& before, const Rigid3d& after) {
+  const Rigid3d motion = before.inverse() * after;
+  const Eigen::Quaterniond half_turn = Eigen::Quaterniond::Identity().slerp(0.5, motion.rotation);
+  // The half applied twice is the whole: t + R t = motion.translation.
+  const Eigen::Matrix3d twice = Eigen::Matrix3d::Identity() + half_turn.toRotationMatrix();
+  return before * Rigid3d{half_turn, twice.inverse() * motion.translation};
 }
 
 // Where a frame's pose would be if the hand moved evenly through its neighbours; at either end, if
@@ -51,9 +62,7 @@ Rigid3d expected_pose(const std::vector<Rigid3d>& poses, std::size_t f) {
   const std::size_t last = poses.size() - 1;
   if (f == 0) return extrapolated(poses[2], poses[1]);
   if (f == last) return extrapolated(poses[last - 2], poses[last - 1]);
-  const Rigid3d &before = poses[f - 1], &after = poses[f + 1];
-  return {before.rotation.slerp(0.5, after.rotation),
-          0.5 * (before.translation + after.translation)};
+  return half_way(poses[f - 1], poses[f + 1]);
 }
 
 // Seeks frames that a hand which moves evenly would have elsewhere from there, with the angles and
@@ -69,8 +78,9 @@ void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
         (expected.translation - poses[f].translation).norm() < kJumpLength * hand.scale) {
       continue;
     }
-    const FrameFit there =
-        fit_known(hand, *frames[f], {expected, estimate.angles}, object, options);
+    // Twice: what stands about the hand is drawn where each begins, here nearly where it ends.
+    FrameFit there = fit_known(hand, *frames[f], {expected, estimate.angles}, object, options);
+    there = fit_known(hand, *frames[f], there.pose, object, options);
     const FrameFit here = fit_known(hand, *frames[f], {poses[f], estimate.angles}, object, options);
     if (there.report.energy < here.report.energy) {
       estimate.world_from_hand[f] = there.pose.world_from_hand;
@@ -82,9 +92,13 @@ void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
 // other places as well.
 SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames,
                     const FitSchedule& schedule, bool reseats, const JointFitOptions& options,
-                    HandEstimate& estimate) {
+                    std::vector<bool>& settled, HandEstimate& estimate) {
   SolverReport report = minimise(hand, frames, schedule, options.threads, estimate);
   int iterations = report.iterations;
+  if (seek_suspects(hand, frames, report.frame_energies, options, settled, estimate)) {
+    report = minimise(hand, frames, schedule, options.threads, estimate);
+    iterations += report.iterations;
+  }
   if (reseats) {
     if (const std::optional<SolverReport> better =
             reseat_digits(hand, frames, schedule, options.threads, estimate)) {
@@ -92,20 +106,16 @@ SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames
       iterations += report.iterations;
     }
   }
-  if (seek_suspects(hand, frames, report.frame_energies, options, estimate)) {
-    report = minimise(hand, frames, schedule, options.threads, estimate);
-    iterations += report.iterations;
-  }
   report.iterations = iterations;
   return report;
 }
 
 }  // namespace
 
-// Where the hand would be if it went on as it went from the frame before the last to the last.
 Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last) {
-  const Eigen::Quaterniond turn = last.rotation * before.rotation.conjugate();
-  return {(turn * last.rotation).normalized(), 2.0 * last.translation - before.translation};
+  Rigid3d next = last * (before.inverse() * last);
+  next.rotation.normalize();
+  return next;
 }
 
 FrameFit fit_known(const FitHand& hand, const FitFrame& frame, const HandPose& start,
@@ -125,15 +135,17 @@ JointFit fit_jointly(const FitHand& hand, std::span<const FitFrame* const> frame
   HandEstimate& estimate = fit.estimate;
   const auto rounds = static_cast<std::size_t>(options.object_rounds) + 1;
   std::vector<FitFrame> surrounded;
+  std::vector<bool> settled(frames.size(), false);
   int iterations = 0;
   // Draws what is known to stand about the hand anew and lets all settle among it.
   const auto settle_among = [&](const FitSchedule& schedule, bool reseats) {
     surrounded = with_surroundings(hand, frames, estimate, fit.object.surface, options.threads);
-    fit.report = settle(hand, pointers_to(surrounded), schedule, reseats, options, estimate);
+    fit.report =
+        settle(hand, pointers_to(surrounded), schedule, reseats, options, settled, estimate);
     iterations += fit.report.iterations;
   };
   observer.progress("all frames", 0, rounds);
-  settle_among(options.all_frames, false);
+  settle_among(options.all_frames, rounds > 1);
   for (std::size_t round = 1; round < rounds; ++round) {
     observer.progress("all frames", round, rounds);
     surrounded = with_surroundings(hand, frames, estimate, {}, options.threads);
