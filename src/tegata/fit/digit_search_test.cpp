@@ -62,7 +62,12 @@ TEST(DigitSearch, FingersInTheirPlaceStayThere) {
   }
   HandEstimate after = before;
   reseat_digits(hand, scene.pointers, grasp_schedule(), 0, after);
-  EXPECT_LT((after.angles - before.angles).cwiseAbs().maxCoeff(), 0.02);
+  // Two frames leave the last two joints of a finger some play against each other.
+  EXPECT_LT((after.angles - before.angles).cwiseAbs().maxCoeff(), 0.2);
+  for (std::size_t f = 0; f < scene.truth.size(); ++f) {
+    EXPECT_LT(test::mean_keypoint_distance(test::coarse_hand(), after.pose(f), scene.truth[f]),
+              0.002);
+  }
 }
 
 }  // namespace
