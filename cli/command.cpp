@@ -84,13 +84,15 @@ void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod
 void add_grasp_option(CLI::App& command, std::string& grasp) {
   command
       .add_option("--grasp", grasp,
-                  "fixed: one set of joint angles for all frames; free: one a frame")
-      ->check(CLI::IsMember({"fixed", "free"}))
+                  "fixed: one set of joint angles for all frames; soft: each frame's depart from it "
+                  "a little; free: one a frame")
+      ->check(CLI::IsMember({"fixed", "soft", "free"}))
       ->capture_default_str();
 }
 
 GraspConstraint grasp_constraint_from_name(const std::string& name) {
-  return name == "free" ? GraspConstraint::free : GraspConstraint::fixed;
+  if (name == "free") return GraspConstraint::free;
+  return name == "soft" ? GraspConstraint::soft : GraspConstraint::fixed;
 }
 
 void add_voxel_option(CLI::App& command, HullOptions& options) {

@@ -47,7 +47,7 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_frames_option(CLI::App& command, FrameSelection& frames);
 /// --segmentation METHOD.
 void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod>& method);
-/// --grasp fixed|free.
+/// --grasp fixed|soft|free.
 void add_grasp_option(CLI::App& command, std::string& grasp);
 GraspConstraint grasp_constraint_from_name(const std::string& name);
 /// --voxel-mm LENGTH.

@@ -21,6 +21,7 @@
 #include "tegata/hand/scaled_hand.h"
 #include "tegata/mesh/mesh_file.h"
 #include "tegata/pipeline/fit_take.h"
+#include "tegata/pipeline/track_take.h"
 #include "tegata/take/staged_folder.h"
 
 namespace tegata {
@@ -40,7 +41,7 @@ std::optional<double> parse_scale(const std::string& value) {
 
 struct Arguments {
   std::string take, result, hand_file, side, grasp = "fixed";
-  bool hulls = false, no_report = false, force = false;
+  bool hulls = false, no_report = false, force = false, track = false;
   FitTakeOptions options;
   CommonOptions common;
 };
@@ -53,6 +54,41 @@ void keep_hulls(FitTakeOptions& options, const std::filesystem::path& folder, st
     if (!folder.empty()) write_ply(hull, folder / (frame + ".ply"));
     if (for_report != nullptr) (*for_report)[frame] = report_hull(hull, count);
   };
+}
+
+/// How far a frame's angles may leave those of the one before [rad].
+double drift_of(GraspConstraint grasp) {
+  switch (grasp) {
+    case GraspConstraint::fixed:
+      return 0.004;
+    case GraspConstraint::soft:
+      return 0.02;
+    case GraspConstraint::free:
+      break;
+  }
+  return 0.15;
+}
+
+/// As a whole or, with --track, as a stream.
+Result fitted(const Arguments& arguments, Take& take, const HandModel& hand,
+              const Observer& observer) {
+  const FitTakeOptions& options = arguments.options;
+  if (!arguments.track) return fit_take(take, hand, options, observer);
+  if (options.method == FitMethod::paper) {
+    throw Error("--track: got --method paper as well, expected the default method");
+  }
+  if (!options.scale) {
+    throw Error(
+        "--track: got --scale auto as well, expected a factor: a stream is not seen twice; `tegata "
+        "hand personalise` finds the hand's size");
+  }
+  TrackTakeOptions track;
+  static_cast<PrepareOptions&>(track) = options;
+  track.track.drift = drift_of(options.fit.grasp);
+  track.track.threads = options.threads;
+  Result result = track_take(take, scaled(hand, *options.scale), track, observer);
+  result.model_scale = *options.scale;
+  return result;
 }
 
 void print_json(const Arguments& arguments, const Result& result, double seconds) {
@@ -114,7 +150,7 @@ void run(Arguments& arguments) {
   Result result;
   {
     Progress progress(arguments.common.quiet);
-    result = fit_take(take, asked, options, progress.observer());
+    result = fitted(arguments, take, asked, progress.observer());
     const HandModel hand = scaled(asked, result.model_scale);
     write_result_files(result, hand, folder.path(), take.rig());
     if (!arguments.no_report) {
@@ -158,6 +194,8 @@ void add_fit_command(CLI::App& program) {
       ->check(CLI::IsMember({"default", "paper"}))
       ->default_str("default");
   add_grasp_option(*command, arguments->grasp);
+  command->add_flag("--track", arguments->track,
+                    "As a stream: each frame by those before it, in memory that does not grow");
   command
       ->add_option_function<std::string>(
           "--scale",

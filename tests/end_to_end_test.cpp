@@ -4,6 +4,8 @@
 // Takes of the virtual room through the whole program.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -104,6 +106,49 @@ TEST_F(EndToEnd, LeftHandWithASphereSeenByFiveCamerasIsFound) {
   EXPECT_EQ(evaluation.fitted_count, 4u);
   EXPECT_LE(evaluation.mean.surface_error_mm, 3.0);
   EXPECT_EQ(read_result_json(result() / "result.json").side, Side::left);
+}
+
+TEST_F(EndToEnd, AHandThatWasLostOnTheWayIsSaidAndFoundAgain) {
+  simulate({"--mode", "mask", "--frames", "8", "--turn-deg", "3", "--size", "320x240"});
+  for (const char* camera : {"camera_0", "camera_1", "camera_2"}) {
+    const fs::path mask = take() / "masks" / camera / "000004.png";
+    CameraImage ball = read_picture(mask);
+    for (int y = 0; y < ball.values.height(); ++y) {
+      for (int x = 0; x < ball.values.width(); ++x) {
+        const bool is_ball =
+            std::hypot(x - 0.5 * ball.values.width(), y - 0.5 * ball.values.height()) < 12.0;
+        ball.values(x, y) = is_ball ? 255 : 0;
+      }
+    }
+    write_picture(ball, mask);
+  }
+  const ProgramRun run =
+      run_program({"fit", take().string(), "-o", result().string(), "--track", "--no-report"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("frame 000004: no hand found"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("frame 000005: the hand was lost and is found again"), std::string::npos)
+      << run.err;
+  const Result tracked = read_result_json(result() / "result.json");
+  ASSERT_EQ(tracked.frames.size(), 8u);
+  EXPECT_FALSE(tracked.frames[4].pose);
+  EXPECT_EQ(tracked.frames[4].status, "the hand is lost");
+  const Evaluation evaluation = evaluate(result());
+  EXPECT_EQ(evaluation.fitted_count, 7u);
+  EXPECT_LE(evaluation.mean.surface_error_mm, 2.0);
+}
+
+TEST_F(EndToEnd, ASoftGraspLetsFramesDepartALittle) {
+  simulate(kSmallTake);
+  fit(result(), {"--grasp", "soft", "--no-report"});
+  const Result soft = read_result_json(result() / "result.json");
+  double largest = 0.0;
+  for (const ResultFrame& frame : soft.frames) {
+    ASSERT_TRUE(frame.pose);
+    largest = std::max(largest, (frame.pose->angles - soft.grasp_angles).cwiseAbs().maxCoeff());
+  }
+  EXPECT_GT(largest, 1e-4);
+  EXPECT_LT(largest, 0.35);
+  EXPECT_LE(evaluate(result()).mean.surface_error_mm, 2.0);
 }
 
 TEST_F(EndToEnd, NumberOfThreadsDoesNotChangeABit) {

@@ -58,6 +58,13 @@ FitSchedule follow_schedule() {
   return {{coarse, contour_stage(0.003, 0.01, 8)}};
 }
 
+FitSchedule stream_schedule() {
+  FitStage coarse = contour_stage(0.01, 0.02, 4), fine = contour_stage(0.003, 0.01, 5);
+  coarse.hull.reset();
+  fine.hull.reset();
+  return {{coarse, fine}};
+}
+
 FitSchedule grasp_schedule() {
   return {{contour_stage(0.006, 0.012, 15), contour_stage(0.0025, 0.008, 25)}};
 }
@@ -83,8 +90,8 @@ std::vector<FitSchedule> holding(std::vector<FitSchedule> schedules, const Joint
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t from_end = std::min(count - 1 - i, deviations.size() - 1);
       schedule.stages[i].prior.previous = angles;
-      schedule.stages[i].prior.previous_standard_deviation =
-          deviations[deviations.size() - 1 - from_end];
+      schedule.stages[i].prior.previous_standard_deviations.setConstant(
+          deviations[deviations.size() - 1 - from_end]);
     }
   }
   return schedules;

@@ -22,6 +22,8 @@ FitSchedule contour_first_schedule();
 /// For the next frame of a stream, from where the hand is expected: contours, and few iterations.
 /// Ends with the same stage as the two before.
 FitSchedule follow_schedule();
+/// The same for a stream that leaves no time for hulls.
+FitSchedule stream_schedule();
 /// For estimates that are already near.
 FitSchedule grasp_schedule();
 /// For estimates that are near, where what hides the hand is known: the hull, which lacks what is

@@ -14,6 +14,7 @@ namespace tegata {
 
 enum class GraspConstraint {
   fixed,  ///< one set of angles for all frames (the paper, V: simultaneous estimation)
+  soft,   ///< the same, from which each frame's own depart a little: real grasps drift
   free,   ///< each frame has its own
 };
 
@@ -39,7 +40,8 @@ struct GraspFit {
 /// the ends of its hull; each next one from the one before, and from the ends of its hull as well
 /// where that fits far worse than frames did before; then frames spread over all at once with one
 /// set of angles (joint_fit.h), so that frames in which something hides a finger lose their
-/// influence on it; then the others with these angles.
+/// influence on it; then the others with these angles. A soft grasp lets each frame's angles depart
+/// from there last.
 /// `frames` must not be empty and each needs a hull; throws Error otherwise.
 GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
                    const GraspFitOptions& options, const Observer& observer);

@@ -119,9 +119,9 @@ Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last) {
 }
 
 FrameFit fit_known(const FitHand& hand, const FitFrame& frame, const HandPose& start,
-                   const HiddenObject& object, const JointFitOptions& options) {
-  const FitSchedule schedule =
-      holding({options.with_object}, start.angles, kKnownDeviations).front();
+                   const HiddenObject& object, const JointFitOptions& options,
+                   AngleDeviations deviations) {
+  const FitSchedule schedule = holding({options.with_object}, start.angles, deviations).front();
   const FitFrame* const one[] = {&frame};
   const std::vector<FitFrame> surrounded =
       with_surroundings(hand, one, {start.angles, {start.world_from_hand}}, object.surface, 1);

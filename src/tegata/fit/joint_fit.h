@@ -35,10 +35,11 @@ struct JointFit {
 JointFit fit_jointly(const FitHand& hand, std::span<const FitFrame* const> frames,
                      HandEstimate start, const JointFitOptions& options, const Observer& observer);
 
-/// The poses of further frames of the same grasp, from about where they are, with angles and object
-/// known.
+/// The pose of a further frame of the same grasp, from about where it is, with the object known and
+/// the angles held near those of the start.
 FrameFit fit_known(const FitHand& hand, const FitFrame& frame, const HandPose& start,
-                   const HiddenObject& object, const JointFitOptions& options);
+                   const HiddenObject& object, const JointFitOptions& options,
+                   AngleDeviations deviations = kKnownDeviations);
 
 /// Where the hand would be if it went on as it went from one pose to the next.
 Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last);

@@ -44,8 +44,8 @@ void add_prior_term(const JointAngles& angles, const PriorTermOptions& options,
         is_abduction(k) ? options.abduction_standard_deviation : options.flexion_standard_deviation,
         options.weight, equations);
     if (options.previous) {
-      add_quadratic(angles[k] - (*options.previous)[k], row, options.previous_standard_deviation,
-                    options.weight, equations);
+      add_quadratic(angles[k] - (*options.previous)[k], row,
+                    options.previous_standard_deviations[k], options.weight, equations);
     }
   }
   for (int digit = 1; digit < kDigitCount; ++digit) {

@@ -17,9 +17,9 @@ struct PriorTermOptions {
   double abduction_standard_deviation = 0.2;  ///< about the relaxed hand
   double coupling_standard_deviation = 0.3;   ///< of a DIP joint about two thirds of its PIP joint
   double weight = 1.0;                        ///< of the whole term
-  /// The angles of the frame before, where there is one.
+  /// What is known of the angles from other frames, where anything is.
   std::optional<JointAngles> previous;
-  double previous_standard_deviation = 0.15;
+  JointAngles previous_standard_deviations = JointAngles::Constant(0.15);
 };
 
 /// The relaxed hand, the coupling of the two last joints of a finger (the rule of two thirds;

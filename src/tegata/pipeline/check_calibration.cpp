@@ -118,9 +118,11 @@ TakeCheck check_take(Take& take, const CheckTakeOptions& options, const Observer
   return check;
 }
 
+void refuse_bad_numbers(const Take& take) { throw_hard(check_numbers(take.rig()), take); }
+
 PreparedTake prepare_checked_take(Take& take, const PrepareOptions& options,
                                   const Observer& observer) {
-  throw_hard(check_numbers(take.rig()), take);
+  refuse_bad_numbers(take);
   try {
     PreparedTake prepared = prepare_take(take, options, observer);
     const CameraRig rig = undistorted(take.rig());

@@ -31,6 +31,9 @@ struct TakeCheck {
 /// Checks the calibration of a take against its own numbers and its silhouettes.
 TakeCheck check_take(Take& take, const CheckTakeOptions& options, const Observer& observer);
 
+/// Throws Error where nothing can come of the calibration's numbers.
+void refuse_bad_numbers(const Take& take);
+
 /// prepare_take() between checks: numbers that nothing can come of are an Error before, doubts are
 /// said to the observer, and where no frame can be fitted the Error says what the silhouettes say
 /// of the calibration.

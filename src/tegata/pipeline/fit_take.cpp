@@ -6,40 +6,14 @@
 #include <numeric>
 
 #include "tegata/base/error.h"
-#include "tegata/fit/support.h"
 #include "tegata/hand/scaled_hand.h"
 #include "tegata/pipeline/check_calibration.h"
+#include "tegata/pipeline/describe_frame.h"
 #include "tegata/pipeline/paper_take.h"
 #include "tegata/pipeline/size_hand.h"
 
 namespace tegata {
 namespace {
-
-// Below this mean overlap of a frame's silhouettes the pose is given, but not called ok. The object
-// eats up to half of a hand's silhouette in infrared.
-constexpr double kLeastOverlap = 0.5;
-
-ResultFrame describe_frame(const FitHand& hand, const HandPose& pose,
-                           const PreparedFrame& prepared) {
-  ResultFrame frame;
-  frame.name = prepared.name;
-  frame.time = prepared.time;
-  const PosedHand posed = hand.posed(pose);
-  frame.pose = pose;
-  frame.keypoints = posed.keypoints();
-  frame.support = bone_support(hand, posed, prepared.frame.views);
-  double sum = 0.0;
-  for (const FitView& view : prepared.frame.views) {
-    const double overlap = silhouette_overlap(hand, posed, view);
-    frame.views.push_back(view.camera.name);
-    frame.silhouette_iou[view.camera.name] = overlap;
-    sum += overlap;
-  }
-  if (sum < kLeastOverlap * static_cast<double>(frame.views.size())) {
-    frame.status = "poor overlap with the silhouettes";
-  }
-  return frame;
-}
 
 double sum_of(const std::vector<PreparedFrame>& frames, double PreparedFrame::*seconds) {
   return std::transform_reduce(frames.begin(), frames.end(), 0.0, std::plus<>(),
@@ -83,11 +57,7 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
     if (from.refusal.empty()) {
       result.frames.push_back(describe_frame(hand, grasp.poses[next++], from));
     } else {
-      ResultFrame frame;
-      frame.name = from.name;
-      frame.time = from.time;
-      frame.status = from.refusal;
-      result.frames.push_back(frame);
+      result.frames.push_back(describe_missing(from, from.refusal));
     }
   }
   result.seconds["segment"] = sum_of(prepared.frames, &PreparedFrame::segment_seconds);

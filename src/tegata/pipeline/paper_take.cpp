@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "tegata/base/error.h"
+
 namespace tegata {
 
 std::vector<PaperFrame> paper_frames(const PreparedTake& take) {
@@ -16,6 +18,10 @@ std::vector<PaperFrame> paper_frames(const PreparedTake& take) {
 
 GraspFit fit_grasp_by_paper(const FitHand& hand, const PreparedTake& take,
                             const GraspFitOptions& options, const Observer& observer) {
+  if (options.grasp == GraspConstraint::soft) {
+    throw Error(
+        "paper method: got a soft grasp, expected a fixed or a free one: the paper has no other");
+  }
   PaperFitOptions paper_options;
   paper_options.grasp = options.grasp;
   paper_options.threads = options.threads;

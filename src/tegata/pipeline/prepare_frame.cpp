@@ -10,27 +10,45 @@
 
 namespace tegata {
 
-PreparedFrame prepare_frame(const Take& take, const TakeFrame& pictures, SegmentationMethod method,
-                            const HullOptions& options) {
+PreparedFrame prepare_views(const Take& take, const TakeFrame& pictures,
+                            SegmentationMethod method) {
   FrameViews seen = frame_views(take, pictures, method);
   PreparedFrame prepared;
   prepared.name = seen.name;
   prepared.time = seen.time;
   prepared.refusal = seen.refusal;
   prepared.notes = seen.notes;
-  prepared.segment_seconds = seen.seconds;
-  if (!prepared.refusal.empty()) return prepared;
-  try {
-    const Stopwatch hull_watch;
-    prepared.hull = visual_hull(seen.views, options);
-    prepared.frame.hull.emplace(prepared.hull);
+  if (prepared.refusal.empty()) {
+    const Stopwatch watch;
     for (HullView& view : seen.views) {
       prepared.frame.views.push_back(make_fit_view(view.camera, std::move(view.silhouette)));
     }
-    prepared.hull_seconds = hull_watch.seconds();
+    seen.seconds += watch.seconds();
+  }
+  prepared.segment_seconds = seen.seconds;
+  return prepared;
+}
+
+void add_hull(PreparedFrame& prepared, const HullOptions& options) {
+  if (!prepared.refusal.empty()) return;
+  const Stopwatch watch;
+  try {
+    std::vector<HullView> views;
+    for (const FitView& view : prepared.frame.views) {
+      views.push_back({view.camera, view.silhouette});
+    }
+    prepared.hull = visual_hull(views, options);
+    prepared.frame.hull.emplace(prepared.hull);
   } catch (const Error& error) {
     prepared.refusal = error.what();
   }
+  prepared.hull_seconds = watch.seconds();
+}
+
+PreparedFrame prepare_frame(const Take& take, const TakeFrame& pictures, SegmentationMethod method,
+                            const HullOptions& options) {
+  PreparedFrame prepared = prepare_views(take, pictures, method);
+  add_hull(prepared, options);
   return prepared;
 }
 

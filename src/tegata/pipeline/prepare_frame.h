@@ -29,4 +29,9 @@ struct PreparedFrame {
 PreparedFrame prepare_frame(const Take& take, const TakeFrame& pictures, SegmentationMethod method,
                             const HullOptions& options);
 
+/// The same without the hull, which costs the more,
+PreparedFrame prepare_views(const Take& take, const TakeFrame& pictures, SegmentationMethod method);
+/// and the hull, where it is needed after all. Where there is none that is the frame's refusal.
+void add_hull(PreparedFrame& prepared, const HullOptions& options);
+
 }  // namespace tegata

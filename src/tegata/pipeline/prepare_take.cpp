@@ -31,6 +31,8 @@ std::vector<PreparedFrame> prepare_frames(Take& take, const std::vector<std::siz
   return prepared;
 }
 
+}  // namespace
+
 std::optional<StartLandmarks> start_landmarks(const Take& take, bool from_first_frame,
                                               const Observer& observer) {
   if (!take.info().initial_landmarks) return std::nullopt;
@@ -41,8 +43,6 @@ std::optional<StartLandmarks> start_landmarks(const Take& take, bool from_first_
   const InitialLandmarks& landmarks = *take.info().initial_landmarks;
   return StartLandmarks{landmarks.wrist, landmarks.index_mcp, landmarks.little_mcp};
 }
-
-}  // namespace
 
 std::vector<const FitFrame*> PreparedTake::fit_frames() const {
   std::vector<const FitFrame*> pointers;

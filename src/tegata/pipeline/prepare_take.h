@@ -35,6 +35,11 @@ struct PreparedTake {
   std::vector<const FitFrame*> fit_frames() const;
 };
 
+/// Where the take says that the hand is in its first frame; nothing, with a warning where it says
+/// so in vain, if that is not the first one that is used.
+std::optional<StartLandmarks> start_landmarks(const Take& take, bool from_first_frame,
+                                              const Observer& observer);
+
 /// Prepares the selected frames and gives the first one its landmarks, where the take has them.
 /// Throws Error where no frame can be fitted.
 PreparedTake prepare_take(Take& take, const PrepareOptions& options, const Observer& observer);

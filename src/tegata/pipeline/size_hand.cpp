@@ -78,6 +78,8 @@ SizedHand size_hand(const HandModel& hand, std::span<const PreparedTake> takes,
   const Stopwatch stopwatch;
   GraspFitOptions options = fit_options;
   options.joint.object_rounds = 0;
+  // What a grasp drifts by says nothing of the hand's size.
+  if (options.grasp == GraspConstraint::soft) options.grasp = GraspConstraint::fixed;
   std::vector<std::vector<const FitFrame*>> frames;
   for (const PreparedTake& take : takes) frames.push_back(take.fit_frames());
   double scale = start_scale(hand, frames.front(), options, observer);
