@@ -18,8 +18,10 @@
 #include "tegata/export/report_json.h"
 #include "tegata/export/result_folder.h"
 #include "tegata/export/viewer_page.h"
+#include "tegata/hand/built_in_hand.h"
 #include "tegata/hand/scaled_hand.h"
 #include "tegata/mesh/mesh_file.h"
+#include "tegata/pipeline/find_side.h"
 #include "tegata/pipeline/fit_take.h"
 #include "tegata/pipeline/track_take.h"
 #include "tegata/take/staged_folder.h"
@@ -54,6 +56,21 @@ void keep_hulls(FitTakeOptions& options, const std::filesystem::path& folder, st
     if (!folder.empty()) write_ply(hull, folder / (frame + ".ply"));
     if (for_report != nullptr) (*for_report)[frame] = report_hull(hull, count);
   };
+}
+
+/// Which hand to fit: the one that is asked for or that the take shows, or else that fits better.
+Side side_to_fit(const Arguments& arguments, Take& take, const Observer& observer) {
+  const bool is_known = take.info().side || !arguments.side.empty() || !arguments.hand_file.empty();
+  if (is_known) return choose_side(take, arguments.side);
+  PrepareOptions options = arguments.options;
+  options.threads = arguments.common.threads;
+  const SideChoice choice = find_side(take, built_in_hand(HandShape{}, Side::right),
+                                      built_in_hand(HandShape{}, Side::left), options, observer);
+  observer.warn(fmt::format(
+      "the take does not say which hand it shows: {} the {} one, as the other fits {:.2f} times "
+      "worse; --side or take.toml can say",
+      choice.lead < kSureSideLead ? "perhaps" : "taken for", side_name(choice.side), choice.lead));
+  return choice.side;
 }
 
 /// How far a frame's angles may leave those of the one before [rad].
@@ -132,7 +149,6 @@ void print_summary(const Arguments& arguments, const Result& result, double seco
 void run(Arguments& arguments) {
   const Stopwatch stopwatch;
   Take take = Take::open(arguments.take);
-  const HandModel asked = load_hand(arguments.hand_file, choose_side(take, arguments.side));
   StagedFolder folder(arguments.result, arguments.force, "result.json");
 
   FitTakeOptions& options = arguments.options;
@@ -150,6 +166,8 @@ void run(Arguments& arguments) {
   Result result;
   {
     Progress progress(arguments.common.quiet);
+    const HandModel asked =
+        load_hand(arguments.hand_file, side_to_fit(arguments, take, progress.observer()));
     result = fitted(arguments, take, asked, progress.observer());
     const HandModel hand = scaled(asked, result.model_scale);
     write_result_files(result, hand, folder.path(), take.rig());

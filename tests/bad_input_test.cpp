@@ -124,7 +124,13 @@ TEST_F(BadInput, UnknownKey) {
 
 TEST_F(BadInput, HandThatNothingTells) {
   write_text(take() / "take.toml", "name = \"anonymous\"\n");
-  expect_refused("--side", "take.toml");
+  const fs::path file = folder_ / "hand.toml";
+  const ProgramRun run =
+      run_program({"hand", "personalise", take().string(), "-o", file.string(), "--quiet"});
+  EXPECT_EQ(run.exit_code, 1);
+  ASSERT_EQ(run.error_lines().size(), 1u) << run.err;
+  EXPECT_TRUE(says(run.error_lines().front(), "--side", "take.toml"));
+  EXPECT_FALSE(fs::exists(file));
 }
 
 TEST_F(BadInput, EmptySilhouettes) {

@@ -108,6 +108,19 @@ TEST_F(EndToEnd, LeftHandWithASphereSeenByFiveCamerasIsFound) {
   EXPECT_EQ(read_result_json(result() / "result.json").side, Side::left);
 }
 
+TEST_F(EndToEnd, ALeftHandIsToldFromARightOneWhereTheTakeDoesNotSay) {
+  simulate({"--mode", "mask", "--frames", "3", "--size", "320x240", "--hand", "left"});
+  std::string info = read_text(take() / "take.toml");
+  const std::string line = "hand = \"left\"\n";
+  ASSERT_NE(info.find(line), std::string::npos);
+  write_text(take() / "take.toml", info.erase(info.find(line), line.size()));
+  const ProgramRun run =
+      run_program({"fit", take().string(), "-o", result().string(), "--track", "--no-report"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.err.find("the left one, as the other fits"), std::string::npos) << run.err;
+  EXPECT_EQ(read_result_json(result() / "result.json").side, Side::left);
+}
+
 TEST_F(EndToEnd, AHandThatWasLostOnTheWayIsSaidAndFoundAgain) {
   simulate({"--mode", "mask", "--frames", "8", "--turn-deg", "3", "--size", "320x240"});
   for (const char* camera : {"camera_0", "camera_1", "camera_2"}) {
