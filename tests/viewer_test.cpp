@@ -9,10 +9,12 @@
 #include <sys/wait.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "run_program.h"
@@ -30,7 +32,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kFrames = 60, kBroken = 37, kMissing = 52;
-constexpr double kOff = 0.06;  // how far the fingers are moved [rad]
+constexpr std::size_t kMade = 21;  // simulated ones, which the others repeat to and fro
+constexpr double kOff = 0.06;      // how far the fingers are moved [rad]
+
+/// Of which simulated frame the pictures and the pose are.
+std::size_t source_of(std::size_t frame) {
+  const std::size_t phase = frame % (2 * kMade - 2);
+  return phase < kMade ? phase : 2 * kMade - 2 - phase;
+}
+
+std::string frame_name(std::size_t i) {
+  const std::string name = std::to_string(i);
+  return std::string(6 - name.size(), '0') + name;
+}
 
 /// Where the palm's keypoints are, the palm is: those do not move with any angle.
 Rigid3d world_from_hand(const Skeleton& skeleton, const TruthFrame& truth) {
@@ -46,6 +60,7 @@ Rigid3d world_from_hand(const Skeleton& skeleton, const TruthFrame& truth) {
 
 /// The truth as a result whose fingers move a little, with overlaps as the pictures have them.
 Result result_of_truth(Take& take, const Truth& truth, const HandModel& hand) {
+  std::map<std::size_t, std::vector<std::optional<Silhouette>>> seen;  // by simulated frame
   Result result;
   result.take = take.info().name;
   result.model_name = hand.name;
@@ -54,19 +69,19 @@ Result result_of_truth(Take& take, const Truth& truth, const HandModel& hand) {
   result.iterations = 23;
   result.termination = "converged";
   result.seconds = {{"segment", 0.4}, {"hull", 0.3}, {"frames", 12.0}, {"all_frames", 3.5}};
-  for (std::size_t i = 0; i < truth.frames.size(); ++i) {
+  for (std::size_t i = 0; i < take.frame_names().size(); ++i) {
     ResultFrame frame;
-    frame.name = truth.frames[i].name;
-    const TakeFrame pictures = take.read_frame(i, Observer{});
-    frame.time = pictures.time;
+    frame.name = take.frame_names()[i];
+    frame.time = static_cast<double>(i) / 30.0;
     if (i == kMissing) {
       frame.status = "pictures from 1 camera, 2 or more are needed";
       result.frames.push_back(frame);
       continue;
     }
     HandPose& pose = frame.pose.emplace();
-    pose.world_from_hand = world_from_hand(hand.skeleton, truth.frames[i]);
-    pose.angles = *truth.frames[i].angles;
+    const std::size_t source = source_of(i);
+    pose.world_from_hand = world_from_hand(hand.skeleton, truth.frames[source]);
+    pose.angles = *truth.frames[source].angles;
     for (int angle = 5; angle < kAngleCount; angle += 4) {
       pose.angles[angle] += kOff * std::sin(0.2 * static_cast<double>(i) + angle);
     }
@@ -76,7 +91,12 @@ Result result_of_truth(Take& take, const Truth& truth, const HandModel& hand) {
       frame.support[b] =
           0.5 + 0.5 * std::cos(0.15 * static_cast<double>(i) + static_cast<double>(b));
     }
-    const auto silhouettes = segment_frame(take, pictures, SegmentationMethod::infrared);
+    const bool is_broken = i + 1 >= kBroken && i <= kBroken + 1;
+    auto& silhouettes = seen[is_broken ? i : source];
+    if (silhouettes.empty()) {
+      silhouettes =
+          segment_frame(take, take.read_frame(i, Observer{}), SegmentationMethod::infrared);
+    }
     for (std::size_t c = 0; c < take.rig().size(); ++c) {
       const Camera& camera = take.rig()[c];
       if (!silhouettes[c]) continue;
@@ -97,20 +117,24 @@ class Viewer : public testing::Test {
   fs::path take() const { return folder_ / "take"; }
   fs::path result() const { return folder_ / "result"; }
 
+  /// A take of kFrames frames, or of its first ones, and its result.
   void make_result(std::size_t frame_count = kFrames) const {
     ASSERT_EQ(run_program({"simulate", take().string(), "--grasp", "cylinder", "--cameras", "3",
-                           "--frames", std::to_string(frame_count), "--turn-deg", "4",
-                           "--no-forearm", "--quiet"})
+                           "--frames", std::to_string(std::min(frame_count, kMade)), "--turn-deg",
+                           "6", "--no-forearm", "--quiet"})
                   .exit_code,
               0);
-    const fs::path pictures = take() / "images" / "camera_1";
-    const auto file = [&pictures](std::size_t i) {
-      std::string name = std::to_string(i);
-      return pictures / (std::string(6 - name.size(), '0') + name + ".png");
-    };
-    for (const std::size_t i : {kBroken - 1, kBroken, kBroken + 1}) {
-      if (i >= frame_count) break;
-      fs::copy_file(file(i - 30), file(i), fs::copy_options::overwrite_existing);
+    for (const std::string camera : {"camera_0", "camera_1", "camera_2"}) {
+      const fs::path pictures = take() / "images" / camera;
+      for (std::size_t i = kMade; i < frame_count; ++i) {
+        fs::copy_file(pictures / (frame_name(source_of(i)) + ".png"),
+                      pictures / (frame_name(i) + ".png"));
+      }
+    }
+    for (std::size_t i = kBroken - 1; i <= kBroken + 1 && i < frame_count; ++i) {
+      const fs::path pictures = take() / "images" / "camera_1";
+      fs::copy_file(pictures / (frame_name(kMade - 1) + ".png"),
+                    pictures / (frame_name(i) + ".png"), fs::copy_options::overwrite_existing);
     }
     Take opened = Take::open(take());
     const HandModel hand = built_in_hand(HandShape{}, Side::right);

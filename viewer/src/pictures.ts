@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the cameras saw, with the outlines of the silhouette and of the fitted hand over it.
-import { element, toggle } from './element';
+import { cleared, element, onResize, toggle } from './element';
 import { bytesOf, shortsOf } from './packed';
 import type { Player } from './player';
 import type { Camera, Picture, Report } from './report';
@@ -57,6 +57,7 @@ class CameraPicture {
   private readonly canvas: HTMLCanvasElement;
   private readonly caption = element('figcaption');
   private shown = -1;
+  private width = 0;
 
   constructor(
     private readonly report: Report,
@@ -65,26 +66,33 @@ class CameraPicture {
     private readonly decoder: Decoder,
     private readonly wanted: Wanted,
   ) {
+    this.canvas = element('canvas', { role: 'img', 'aria-label': `Picture of ${camera.name} with outlines` });
     const [, , width, height] = camera.window;
-    // Twice what most windows have, so that outlines are sharp.
-    const scale = Math.max(1, Math.min(3, 800 / width));
-    this.canvas = element('canvas', {
-      width: Math.round(width * scale), height: Math.round(height * scale),
-      role: 'img', 'aria-label': `Picture of ${camera.name} with outlines`,
-    });
+    this.canvas.style.aspectRatio = `${width} / ${height}`;
     this.figure = element('figure', {}, this.canvas, this.caption);
+    onResize(this.canvas, (wide) => {
+      this.width = wide;
+      this.drawShown();
+    });
   }
 
   show(frame: number): void {
     this.shown = frame;
-    const { pose, pictures } = this.report.frames[frame];
-    const picture = pictures.get(this.index);
+    const { pose } = this.report.frames[frame];
     const overlap = pose?.overlap.get(this.camera.name);
     this.caption.replaceChildren(
       element('span', {}, this.camera.name),
       element('span', { class: overlap !== undefined && overlap < 0.5 ? 'doubtful' : 'soft' },
         overlap === undefined ? 'not used in this frame' : `overlap ${overlap.toFixed(2)}`),
     );
+    this.drawShown();
+  }
+
+  /** As soon as it is decoded, unless another frame is shown by then. */
+  private drawShown(): void {
+    const frame = this.shown;
+    if (this.width === 0 || frame < 0) return;
+    const picture = this.report.frames[frame].pictures.get(this.index);
     if (!picture) {
       this.say('no picture of this frame in the page');
       return;
@@ -99,17 +107,20 @@ class CameraPicture {
     );
   }
 
-  private context(): CanvasRenderingContext2D {
+  /** The canvas, as large as it is shown, and empty. */
+  private paper() {
+    const [, , width, height] = this.camera.window;
+    const high = (this.width * height) / width;
     this.canvas.dataset['frame'] = this.report.frames[this.shown].name;
-    return this.canvas.getContext('2d') as CanvasRenderingContext2D;
+    return { context: cleared(this.canvas, this.width, high), width: this.width, height: high };
   }
 
   private draw(picture: Picture, bitmap: ImageBitmap): void {
-    const context = this.context();
-    const { width, height } = this.canvas;
+    const { context, width, height } = this.paper();
+    context.imageSmoothingQuality = 'high';
     context.drawImage(bitmap, 0, 0, width, height);
     context.lineJoin = 'round';
-    context.lineWidth = Math.max(2, width / 180);
+    context.lineWidth = Math.max(1.3, width / 220);
     const stroke = (packed: string, colour: string) => {
       context.strokeStyle = colour;
       context.stroke(outlinePath(packed, width, height));
@@ -119,12 +130,11 @@ class CameraPicture {
   }
 
   private say(text: string): void {
-    const context = this.context();
-    const { width, height } = this.canvas;
+    const { context, width, height } = this.paper();
     context.fillStyle = '#222';
     context.fillRect(0, 0, width, height);
     context.fillStyle = '#ccc';
-    context.font = `${Math.round(width / 24)}px system-ui, sans-serif`;
+    context.font = `${Math.round(Math.max(11, width / 24))}px system-ui, sans-serif`;
     context.textAlign = 'center';
     context.fillText(text, width / 2, height / 2);
   }
@@ -161,7 +171,7 @@ export function pictureWall(report: Report, player: Player): HTMLElement {
     { class: 'pictures card' },
     element('div', { class: 'tools' },
       outlineToggle('Fitted hand', 'hand'), outlineToggle('Silhouette', 'silhouette')),
-    element('div', { class: pictures.length > 3 ? 'wall many' : 'wall' },
+    element('div', { class: pictures.length > 4 ? 'wall many' : 'wall' },
       ...pictures.map((picture) => picture.figure)),
   );
 }

@@ -6,6 +6,7 @@ import type { Report } from './report';
 export class Player {
   private shown = 0;
   private timer: number | undefined;
+  private isDue = false;
   private readonly listeners: ((frame: number) => void)[] = [];
   private readonly playListeners: ((isPlaying: boolean) => void)[] = [];
   /** Positions of the frames that are not to be trusted. */
@@ -32,15 +33,25 @@ export class Player {
     this.playListeners.push(listener);
   }
 
+  /** With the next picture of the screen; of several frames until then only the last is shown. */
   show(frame: number): void {
-    const next = Math.max(0, Math.min(this.count - 1, Math.round(frame)));
-    if (next === this.shown) return;
-    this.shown = next;
-    this.tell();
+    if (!this.goTo(frame) || this.isDue) return;
+    this.isDue = true;
+    requestAnimationFrame(() => {
+      if (this.isDue) this.tell();
+    });
   }
-  /** Says the present frame to everybody. */
+  /** Says the present frame to everybody, now. */
   tell(): void {
+    this.isDue = false;
     for (const listener of this.listeners) listener(this.shown);
+  }
+  /** Whether that is another frame. */
+  private goTo(frame: number): boolean {
+    const next = Math.max(0, Math.min(this.count - 1, Math.round(frame)));
+    const isOther = next !== this.shown;
+    this.shown = next;
+    return isOther;
   }
   /** By so many frames; the user's own steps stop the playing. */
   step(by: number): void {
@@ -81,14 +92,13 @@ export class Player {
     const isTimed = Number.isFinite(length) && length > 0;
     const advance = () => {
       const seconds = performance.now() / 1000 - began;
+      let next = Math.floor(seconds * 10) % this.count;
       if (isTimed) {
         const time = start + (seconds % length);
-        let next = 0;
+        next = 0;
         while (next + 1 < this.count && frames[next + 1].time <= time) ++next;
-        this.show(next);
-      } else {
-        this.show(Math.floor(seconds * 10) % this.count);
       }
+      if (this.goTo(next)) this.tell();
       this.timer = requestAnimationFrame(advance);
     };
     this.timer = requestAnimationFrame(advance);

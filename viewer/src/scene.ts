@@ -11,6 +11,9 @@ import { poseVertices, spreadOverVertices } from './skinned_hand';
 
 const HULLS_KEPT = 64;
 const CAMERA_SIZE = 0.07; // of the drawn pyramids [m]
+/** Without a GPU a moving picture has so many of the screen's pixels in width, a still one all. */
+const COARSE = 0.5;
+const STILL_AFTER = 160; // [ms]
 
 /** From a camera's axes as three.js has them (y up, looking along -z) to the world. */
 function worldFromCamera(camera: Camera): THREE.Matrix4 {
@@ -61,6 +64,15 @@ function label(text: string, ink: string): THREE.Sprite {
   return sprite;
 }
 
+/** Whether the browser's 3D pictures are computed without a GPU. */
+function hasNoGpu(): boolean {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = context?.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER);
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(String(name));
+}
+
 export class HandScene {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: THREE.WebGLRenderer;
@@ -68,23 +80,29 @@ export class HandScene {
   private readonly free = new THREE.PerspectiveCamera(30, 1, 0.01, 20);
   private readonly fixed = new THREE.Camera();
   private readonly controls: OrbitControls;
-  private readonly hand: THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial>;
-  private readonly hull: THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial>;
+  private readonly hand: THREE.Mesh<THREE.BufferGeometry, THREE.MeshLambertMaterial>;
+  private readonly hull: THREE.Mesh<THREE.BufferGeometry, THREE.MeshLambertMaterial>;
   private readonly cameras = new THREE.Group();
   private readonly hulls = new Map<number, THREE.BufferGeometry | undefined>();
   private readonly support: Float32Array;
   private lookingThrough: Camera | undefined;
+  private readonly isSlow = hasNoGpu();
+  private readonly seen = new THREE.Color();
+  private readonly unseen = new THREE.Color();
   private isStale = false;
-  private width = 1;
-  private height = 1;
+  private drawnAt = -Infinity;
+  private still: number | undefined;
+  private width = 0;
+  private height = 0;
   private shown: Frame;
   /** Called when the user turns the view. */
   onTurn: () => void = () => {};
 
   /** Throws where the browser has no WebGL. */
   constructor(private readonly report: Report) {
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer = new THREE.WebGLRenderer({
+      antialias: !this.isSlow, alpha: true, preserveDrawingBuffer: true,
+    });
     this.canvas = this.renderer.domElement;
     this.shown = report.frames[0];
 
@@ -96,12 +114,12 @@ export class HandScene {
     geometry.setAttribute('color', new THREE.BufferAttribute(new Float32Array(3 * vertexCount), 3));
     this.hand = new THREE.Mesh(
       geometry,
-      new THREE.MeshStandardMaterial({ vertexColors: true, roughness: 0.75 }),
+      new THREE.MeshLambertMaterial({ vertexColors: true }),
     );
     this.hull = new THREE.Mesh(
       new THREE.BufferGeometry(),
-      new THREE.MeshStandardMaterial({
-        transparent: true, opacity: 0.28, depthWrite: false, flatShading: true, roughness: 1,
+      new THREE.MeshLambertMaterial({
+        transparent: true, opacity: 0.28, depthWrite: false, flatShading: true,
       }),
     );
     this.hull.renderOrder = 1;
@@ -142,7 +160,7 @@ export class HandScene {
     if (hull) this.hull.geometry = hull;
     this.hull.userData['isThere'] = hull !== undefined;
     this.hull.visible = hull !== undefined && this.hull.userData['isWanted'] !== false;
-    this.draw();
+    this.render();
   }
 
   showHull(isWanted: boolean): void {
@@ -185,13 +203,14 @@ export class HandScene {
 
   resize(width: number, height: number): void {
     [this.width, this.height] = [width, height];
-    this.renderer.setSize(width, height, false);
     this.project();
     this.render();
   }
 
   applyLook(): void {
     this.hull.material.color.set(colour('--hull'));
+    this.seen.set(colour('--skin'));
+    this.unseen.set(colour('--unseen'));
     this.cameras.clear();
     const ink = colour('--soft');
     const lines = new THREE.BufferGeometry().setFromPoints(this.report.cameras.flatMap(cameraLines));
@@ -216,10 +235,25 @@ export class HandScene {
     });
   }
 
-  private render(): void {
+  /** Now. A canvas that will soon be drawn with more pixels says that it is coarse. */
+  private render(isStill = false): void {
     this.isStale = false;
+    clearTimeout(this.still);
+    if (this.width === 0) return;
+    const isCoarse = this.isSlow && !isStill && performance.now() - this.drawnAt < STILL_AFTER;
+    this.drawnAt = performance.now();
+    if (isCoarse) this.still = window.setTimeout(() => this.render(true), STILL_AFTER);
+    this.setPixelRatio(isCoarse ? COARSE : Math.min(window.devicePixelRatio, 2));
     this.renderer.render(this.scene, this.lookingThrough ? this.fixed : this.free);
+    this.canvas.toggleAttribute('data-coarse', isCoarse);
     this.canvas.dataset['frame'] = this.shown.name;
+  }
+
+  /** Of the canvas; to set its size clears it, even to what it is. */
+  private setPixelRatio(ratio: number): void {
+    const { canvas, width, height } = this;
+    if (canvas.width === Math.floor(width * ratio) && canvas.height === Math.floor(height * ratio)) return;
+    this.renderer.setDrawingBufferSize(width, height, ratio);
   }
 
   /** Against where the cameras think is down, on the average; y points down without any. */
@@ -260,8 +294,7 @@ export class HandScene {
     const { pose } = this.shown;
     if (!pose) return;
     spreadOverVertices(this.report.surface, pose.support, this.support);
-    const seen = new THREE.Color(colour('--skin'));
-    const unseen = new THREE.Color(colour('--unseen'));
+    const { seen, unseen } = this;
     const attribute = this.hand.geometry.getAttribute('color') as THREE.BufferAttribute;
     const colours = attribute.array as Float32Array;
     this.support.forEach((share, v) => {
