@@ -22,7 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kWrist = 0, kMiddleMcp = 9;
 
 // A take, prepared, and what is known of it.
 struct KnownTake {

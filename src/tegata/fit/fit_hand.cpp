@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kReferenceLength = 0.18;  // wrist to the middle fingertip of a mean adult [m]
 constexpr std::size_t kMostSamples = 600;
-constexpr int kWrist = 0;
-constexpr int kMiddleTip = 12;
 
 std::vector<SurfaceEdge> unique_edges(const TriangleMesh& mesh) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;

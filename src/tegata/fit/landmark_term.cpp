@@ -5,11 +5,7 @@
 #include <utility>
 
 namespace tegata {
-namespace {
-
-constexpr int kWrist = 0, kIndexMcp = 5, kLittleMcp = 17;
-
-}  // namespace
+namespace {}  // namespace
 
 void add_landmark_term(const FitHand& hand, const PosedHand& posed, const StartLandmarks& landmarks,
                        const LandmarkTermOptions& options, FrameEquations& equations) {

@@ -14,8 +14,6 @@
 namespace tegata {
 namespace {
 
-constexpr int kWrist = 0, kIndexMcp = 5, kMiddleMcp = 9, kLittleMcp = 17;
-
 // Thumb: CMC abduction, CMC flexion, MCP, IP; fingers: MCP abduction, MCP, PIP, DIP flexion [deg].
 JointAngles angles_of(const std::array<double, 4>& thumb, const std::array<double, 3>& flexion) {
   JointAngles angles = JointAngles::Zero();
@@ -102,8 +100,7 @@ std::vector<HullEnd> hand_ends(const FitHand& hand, const FitFrame& frame) {
 
 std::vector<Rigid3d> poses_at_ends(const FitHand& hand, const std::vector<HullEnd>& ends) {
   // Half way along the hand, which the knuckle of the middle finger is near.
-  const Eigen::Vector3d center_in_hand =
-      hand.model->skeleton.keypoints[static_cast<std::size_t>(kMiddleMcp)];
+  const Eigen::Vector3d center_in_hand = hand.model->skeleton.keypoints[kMiddleMcp];
   constexpr int kRolls = 12;
   constexpr double kTilt = 0.6;  // [rad]
   std::vector<Rigid3d> poses;

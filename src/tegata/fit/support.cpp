@@ -11,7 +11,6 @@ namespace tegata {
 namespace {
 
 constexpr float kNearlyInsidePx = 2.0F;
-constexpr int kWrist = 0, kMiddleMcp = 9;
 
 bool is_backed(const Eigen::Vector3d& vertex, const std::vector<FitView>& views) {
   bool is_shown = false;

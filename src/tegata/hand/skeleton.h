@@ -16,6 +16,8 @@ inline constexpr int kHandParameterCount = kPoseParameterCount + kAngleCount;
 inline constexpr int kBoneCount = 16;      ///< the palm and three a digit
 inline constexpr int kKeypointCount = 21;  ///< wrist and four a digit
 inline constexpr int kDigitCount = 5;
+/// Keypoints that are asked for by name.
+inline constexpr int kWrist = 0, kIndexMcp = 5, kMiddleMcp = 9, kMiddleTip = 12, kLittleMcp = 17;
 
 /// The joint angles [rad] in the order of angle_names(): thumb CMC abduction, CMC flexion, MCP
 /// flexion, IP flexion; then for index, middle, ring and little finger MCP abduction, MCP flexion,

@@ -137,7 +137,6 @@ InitialLandmarks rough_landmarks(const Room& room) {
     const Eigen::Vector3d way(random.normal(), random.normal(), random.normal());
     return keypoints[keypoint] + random.uniform(0.005, 0.015) * way.normalized();
   };
-  constexpr std::size_t kWrist = 0, kIndexMcp = 5, kLittleMcp = 17;
   InitialLandmarks landmarks;
   landmarks.wrist = rough(kWrist);
   landmarks.index_mcp = rough(kIndexMcp);
