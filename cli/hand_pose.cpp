@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hand_command.h"
+#include "hand_view.h"
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/image/overlay.h"
 #include "tegata/mesh/mesh_file.h"
@@ -15,10 +16,6 @@
 
 namespace tegata {
 namespace {
-
-constexpr Colour kPaper = {250, 250, 248};
-constexpr Colour kSkin = {214, 160, 126};
-constexpr int kSamples = 3;  // a pixel's side, so that outlines are smooth
 
 struct PoseArguments {
   HandSource source;
@@ -67,11 +64,6 @@ void run_pose(const PoseArguments& arguments) {
   }
 }
 
-/// From where a picture is taken and what is up in it, in the hand's frame.
-struct View {
-  Eigen::Vector3d from, up;
-};
-
 View view_of(const std::string& name, Side side) {
   const Eigen::Vector3d thumb =
       side == Side::right ? -Eigen::Vector3d::UnitX().eval() : Eigen::Vector3d::UnitX().eval();
@@ -82,41 +74,14 @@ View view_of(const std::string& name, Side side) {
   return {Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};  // tips
 }
 
-/// A camera so far away that it shows sizes nearly as they are. It sees a ball about the middle.
-Camera camera_of(const View& view, const Eigen::Vector3d& middle, double radius, int width) {
-  constexpr double kDistanceInRadii = 8.0;
-  Camera camera;
-  camera.name = "view";
-  camera.width = camera.height = width;
-  camera.fx = camera.fy = 0.47 * width * kDistanceInRadii;
-  camera.cx = camera.cy = 0.5 * (width - 1);
-  const Eigen::Vector3d z = -view.from, y = -view.up;
-  Eigen::Matrix3d rotation;
-  rotation << y.cross(z).transpose(), y.transpose(), z.transpose();
-  camera.camera_from_world.rotation = Eigen::Quaterniond(rotation);
-  camera.camera_from_world.translation =
-      -(rotation * (middle + kDistanceInRadii * radius * view.from));
-  return camera;
-}
-
 CameraImage draw(const HandModel& hand, const JointAngles& angles,
                  const PictureArguments& arguments) {
   const TriangleMesh surface = PosedHand(hand, {Rigid3d(), angles}).surface();
-  const Eigen::Vector3d middle = bounding_box(surface).center();
-  double radius = 0.0;
-  for (const Eigen::Vector3d& vertex : surface.vertices) {
-    radius = std::max(radius, (vertex - middle).norm());
-  }
-  const int side = kSamples * arguments.width;
+  const Ball ball = ball_around(surface);
   std::vector<CameraImage> pictures;
   for (const std::string& name : arguments.views) {
-    CameraImage picture{Image<std::uint16_t>(side, side, kPaper[0], 3), 8};
-    for (std::size_t i = 0; i < picture.values.values().size(); ++i) {
-      picture.values.values()[i] = kPaper[i % 3];
-    }
-    draw_shaded(picture, surface,
-                camera_of(view_of(name, hand.skeleton.side), middle, radius, side), kSkin);
-    pictures.push_back(shrunk(picture, arguments.width));
+    pictures.push_back(
+        draw_hand(surface, view_of(name, hand.skeleton.side), ball, arguments.width));
   }
   return contact_sheet(pictures, static_cast<int>(pictures.size()), kPaper);
 }

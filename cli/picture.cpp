@@ -12,18 +12,19 @@
 #include <optional>
 
 #include "command.h"
+#include "hand_command.h"
+#include "hand_view.h"
 #include "progress.h"
 #include "tegata/hand/scaled_hand.h"
 #include "tegata/image/overlay.h"
 #include "tegata/pipeline/overlays.h"
 #include "tegata/take/picture_file.h"
 #include "tegata/take/take.h"
+#include "turning_hand.h"
 
 namespace tegata {
 namespace {
 
-constexpr Colour kPaper = {250, 250, 248};
-constexpr Colour kSkin = {214, 160, 126};
 constexpr int kGutter = 6;          // between pictures [px]
 constexpr int kAnyWidth = 1 << 30;  // of overlays that are cut out afterwards
 
@@ -157,14 +158,22 @@ std::vector<CameraImage> draw_rows(const std::vector<Overlay>& overlays, const C
   return pictures;
 }
 
-void run(const Arguments& arguments) {
-  const Result result = read_result_json(std::filesystem::path(arguments.result) / "result.json");
-  Take take = Take::open(arguments.take);
-  const HandModel hand = scaled(load_hand(arguments.hand_file, result.side), result.model_scale);
-  if (hand.name != result.model_name) {
-    throw Error(arguments.result, ": was fitted with the hand '", result.model_name, "', got '",
-                hand.name, "'; give that hand's file with --hand");
+void draw_video(const Result& result, const HandModel& hand, const Arguments& arguments) {
+  std::size_t count = 0;
+  write_whole(arguments.picture, [&](const std::filesystem::path& file) {
+    Progress progress(arguments.common.quiet);
+    count = write_turning_hand(result, hand, arguments.width, file, progress.observer());
+  });
+  if (arguments.common.json) {
+    std::cout << nlohmann::ordered_json{{"video", arguments.picture}, {"pictures", count}}.dump()
+              << "\n";
+  } else {
+    std::cout << "drew " << arguments.picture << "\n";
   }
+}
+
+void draw_sheet(const Result& result, const HandModel& hand, const Arguments& arguments) {
+  Take take = Take::open(arguments.take);
   std::vector<Overlay> overlays;
   {
     Progress progress(arguments.common.quiet);
@@ -190,28 +199,54 @@ void run(const Arguments& arguments) {
   }
 }
 
+void run(const Arguments& arguments) {
+  const Result result = read_result_json(std::filesystem::path(arguments.result) / "result.json");
+  const HandModel hand = scaled(load_hand(arguments.hand_file, result.side), result.model_scale);
+  if (hand.name != result.model_name) {
+    throw Error(arguments.result, ": was fitted with the hand '", result.model_name, "', got '",
+                hand.name, "'; give that hand's file with --hand");
+  }
+  if (std::filesystem::path(arguments.picture).extension() == ".mp4") {
+    draw_video(result, hand, arguments);
+  } else if (arguments.take.empty()) {
+    throw Error(arguments.picture,
+                ": is drawn over the pictures of the take: give it with --take, "
+                "or ask for a video of the hand alone (.mp4)");
+  } else {
+    draw_sheet(result, hand, arguments);
+  }
+}
+
 }  // namespace
 
 void add_picture_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
-      "picture", "Draw a result over the cameras' pictures: a row a frame, a column a camera");
+      "picture",
+      "Draw a result over the cameras' pictures, a row a frame and a column a camera; or the "
+      "hand alone as a video");
   command->add_option("RESULT", arguments->result, "Folder that fit made")->required();
-  command->add_option("--take", arguments->take, "The take that was fitted")->required();
-  command->add_option("-o,--output", arguments->picture, "PNG, JPEG or TIFF to write")->required();
+  command->add_option("--take", arguments->take, "The take that was fitted; not for a video");
+  command
+      ->add_option("-o,--output", arguments->picture,
+                   "PNG, JPEG or TIFF to write, or MP4: the hand turns once and goes through its "
+                   "frames")
+      ->required();
   command->add_option("--hand", arguments->hand_file, "The hand that was fitted, as for fit");
   command->add_option("--frames", arguments->frames, "Rows, spread evenly over the frames")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command
       ->add_option("--width", arguments->width,
-                   "Pixels of a camera's picture in width, with --whole at most")
+                   "Pixels of a camera's picture or a video in width, with --whole at most")
       ->check(CLI::Range(16, 16384))
       ->capture_default_str();
   command->add_flag("--whole", arguments->whole,
                     "Whole pictures instead of what is around the hand");
   add_common_options(*command, arguments->common);
-  command->footer("Example: tegata picture demo/result --take demo/take -o demo/picture.png\n");
+  command->footer(
+      "Example: tegata picture demo/result --take demo/take -o demo/picture.png\n"
+      "         tegata picture demo/result -o demo/hand.mp4\n");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -16,6 +16,7 @@
 #include "tegata/take/picture_file.h"
 #include "tegata/take/result.h"
 #include "tegata/take/test_folder.h"
+#include "tegata/take/video_file.h"
 
 namespace tegata {
 namespace {
@@ -272,6 +273,21 @@ TEST_F(EndToEnd, ScriptsGetOneJsonObjectFromEachCommand) {
   EXPECT_EQ(drawn.at("rows"), 2);
   EXPECT_EQ(drawn.at("columns"), 4);
   EXPECT_GE(read_picture(picture).values.width(), 4 * 160);
+
+  const fs::path film = folder_ / "hand.mp4";
+  const ProgramRun filmed = run_program(
+      {"picture", result().string(), "-o", film.string(), "--width", "97", "--quiet", "--json"});
+  EXPECT_EQ(filmed.exit_code, 0) << filmed.err;
+  EXPECT_EQ(filmed.err, "");
+  VideoFile video(film);
+  EXPECT_EQ(json::parse(filmed.out).at("pictures"), video.frame_count());
+  EXPECT_EQ(video.read(0).values.width(), 98);
+  EXPECT_NE(video.read(0).values.values(), video.read(video.frame_count() / 2).values.values());
+  const ProgramRun refused =
+      run_program({"picture", result().string(), "-o", (folder_ / "p.png").string()});
+  EXPECT_EQ(refused.exit_code, 1);
+  ASSERT_EQ(refused.error_lines().size(), 1U) << refused.err;
+  EXPECT_TRUE(says(refused.error_lines().front(), "p.png", "--take", ".mp4"));
 }
 
 }  // namespace

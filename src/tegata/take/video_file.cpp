@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <fstream>
 #include <limits>
-#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/videoio.hpp>
 #include <optional>
 #include <string_view>
@@ -15,22 +14,10 @@
 
 #include "tegata/base/error.h"
 #include "tegata/take/opencv_picture.h"
+#include "tegata/take/silent_opencv.h"
 
 namespace tegata {
 namespace {
-
-// OpenCV prints what it also returns. Its log level is one for the whole program, so it is put back
-// at once.
-class SilentOpenCv {
- public:
-  SilentOpenCv() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}
-  ~SilentOpenCv() { cv::utils::logging::setLogLevel(before_); }
-  SilentOpenCv(const SilentOpenCv&) = delete;
-  SilentOpenCv& operator=(const SilentOpenCv&) = delete;
-
- private:
-  cv::utils::logging::LogLevel before_;
-};
 
 // Eight bytes at a position, or nothing past the end.
 std::optional<std::array<unsigned char, 8>> eight_bytes(std::ifstream& stream,
