@@ -121,11 +121,8 @@ void write_report(const Result& result, const HandModel& hand, ReportSource sour
   ReportContent content{result, hand, {}, {}, std::move(source.hulls)};
   if (source.take != nullptr) {
     Take& take = *source.take;
-    const SegmentationMethod method =
-        source.segmentation ? *source.segmentation : choose_segmentation(take, observer);
-    const auto segment = [&take, method](const TakeFrame& frame) {
-      return segment_frame(take, frame, method);
-    };
+    const Segmenter segmenter(take, source.segmentation, observer);
+    const auto segment = [&](const TakeFrame& frame) { return segmenter.segment(frame); };
     content.rig = take.rig();
     content.pictures =
         make_report_pictures(take, result, hand, segment, {.threads = source.threads}, observer);

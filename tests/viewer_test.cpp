@@ -95,7 +95,7 @@ Result result_of_truth(Take& take, const Truth& truth, const HandModel& hand) {
     auto& silhouettes = seen[is_broken ? i : source];
     if (silhouettes.empty()) {
       silhouettes =
-          segment_frame(take, take.read_frame(i, Observer{}), SegmentationMethod::infrared);
+          Segmenter(take, SegmentationMethod::infrared, {}).segment(take.read_frame(i, Observer{}));
     }
     for (std::size_t c = 0; c < take.rig().size(); ++c) {
       const Camera& camera = take.rig()[c];

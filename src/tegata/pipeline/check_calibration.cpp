@@ -79,8 +79,7 @@ std::string explanation(Take& take, const PrepareOptions& options) {
 }  // namespace
 
 TakeCheck check_take(Take& take, const CheckTakeOptions& options, const Observer& observer) {
-  const SegmentationMethod method =
-      options.segmentation ? *options.segmentation : choose_segmentation(take, observer);
+  const Segmenter segmenter(take, options.segmentation, observer);
   const std::vector<std::size_t> indices =
       spread(selected_frames(options.frames, take), options.most_frames);
   const CameraRig rig = undistorted(take.rig());
@@ -90,7 +89,7 @@ TakeCheck check_take(Take& take, const CheckTakeOptions& options, const Observer
   for_each_frame(take, indices, options.threads,
                  {.work =
                       [&](std::size_t i, const TakeFrame& pictures) {
-                        FrameViews frame = frame_views(take, pictures, method);
+                        FrameViews frame = frame_views(segmenter, pictures);
                         for (const HullView& view : frame.views) {
                           outlines[i][camera_index(rig, view.camera.name)] =
                               outline_rays(view.silhouette, view.camera);

@@ -23,8 +23,7 @@ double energy_of(const FitHand& hand, const FitFrame& frame, int threads) {
 
 SideChoice find_side(Take& take, const HandModel& right, const HandModel& left,
                      const PrepareOptions& options, const Observer& observer) {
-  const SegmentationMethod method =
-      options.segmentation ? *options.segmentation : choose_segmentation(take, observer);
+  const Segmenter segmenter(take, options.segmentation, observer);
   const std::vector<std::size_t> indices = selected_frames(options.frames, take);
   const FitHand right_hand(right), left_hand(left);
   double right_energy = 0.0, left_energy = 0.0;
@@ -32,7 +31,7 @@ SideChoice find_side(Take& take, const HandModel& right, const HandModel& left,
   for (const std::size_t i : spread(indices.size(), kTrialFrames)) {
     // Without an observer: what there is to say of a frame is said when it is fitted.
     PreparedFrame frame =
-        prepare_frame(take, take.read_frame(indices[i], Observer{}), method, options.hull);
+        prepare_frame(segmenter, take.read_frame(indices[i], Observer{}), options.hull);
     if (!frame.refusal.empty()) {
       refusal = text("frame ", frame.name, ": ", frame.refusal);
       continue;

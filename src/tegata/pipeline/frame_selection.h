@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "tegata/base/observer.h"
@@ -30,6 +31,7 @@ inline constexpr std::size_t kFramesAtOnce = 8;
 struct FrameWork {
   std::function<void(std::size_t i, const TakeFrame& pictures)> work;
   std::function<void(std::size_t i)> finish;
+  std::string_view stage = "hulls";  ///< what progress is called
 };
 void for_each_frame(Take& take, const std::vector<std::size_t>& indices, int threads,
                     const FrameWork& frame_work, const Observer& observer);

@@ -9,7 +9,7 @@
 
 namespace tegata {
 
-FrameViews frame_views(const Take& take, const TakeFrame& pictures, SegmentationMethod method) {
+FrameViews frame_views(const Segmenter& segmenter, const TakeFrame& pictures) {
   constexpr std::size_t kLeastViews = 2;
   FrameViews frame;
   frame.name = pictures.name;
@@ -19,16 +19,16 @@ FrameViews frame_views(const Take& take, const TakeFrame& pictures, Segmentation
     return frame;
   }
   const Stopwatch watch;
-  const std::vector<std::optional<Silhouette>> silhouettes = segment_frame(take, pictures, method);
+  const std::vector<std::optional<Silhouette>> silhouettes = segmenter.segment(pictures);
   for (std::size_t c = 0; c < silhouettes.size(); ++c) {
     if (!silhouettes[c]) continue;
-    const Camera& camera = take.rig()[c];
+    const Camera& camera = segmenter.rig()[c];
     if (count_pixels(*silhouettes[c], PixelLabel::hand) == 0) {
       frame.notes.push_back(text("frame ", pictures.name, ", camera '", camera.name,
                                  "': no hand was found in the picture, the view is left out"));
       continue;
     }
-    frame.views.push_back({camera.undistorted(), undistort(*silhouettes[c], camera)});
+    frame.views.push_back({camera.undistorted(), segmenter.undistorted(*silhouettes[c], c)});
   }
   frame.seconds = watch.seconds();
   if (frame.views.size() < kLeastViews) {

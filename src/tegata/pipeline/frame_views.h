@@ -23,6 +23,6 @@ struct FrameViews {
 
 /// Segments and undistorts a frame's pictures. A view without any hand pixel is left out: one
 /// camera that looks elsewhere must not empty the hull. Fewer than two views are a refusal.
-FrameViews frame_views(const Take& take, const TakeFrame& pictures, SegmentationMethod method);
+FrameViews frame_views(const Segmenter& segmenter, const TakeFrame& pictures);
 
 }  // namespace tegata

@@ -33,14 +33,13 @@ TakeHull hull_of(const FrameViews& frame, const HullOptions& options) {
 void hull_take(Take& take, const HullTakeOptions& options,
                const std::function<void(const TakeHull& hull)>& on_hull, const Observer& observer) {
   const std::vector<std::size_t> indices = selected_frames(options.frames, take);
-  const SegmentationMethod method =
-      options.segmentation ? *options.segmentation : choose_segmentation(take, observer);
+  const Segmenter segmenter(take, options.segmentation, observer);
   std::vector<TakeHull> hulls(indices.size());
   std::vector<std::vector<std::string>> notes(indices.size());
   for_each_frame(take, indices, options.threads,
                  {.work =
                       [&](std::size_t i, const TakeFrame& pictures) {
-                        const FrameViews frame = frame_views(take, pictures, method);
+                        const FrameViews frame = frame_views(segmenter, pictures);
                         notes[i] = frame.notes;
                         hulls[i] = hull_of(frame, options.hull);
                       },

@@ -38,8 +38,7 @@ std::vector<Overlay> draw_overlays(Take& take, const Result& result, const HandM
                                    const OverlayOptions& options, const Observer& observer) {
   std::map<std::string, std::size_t> index_of;
   for (std::size_t i = 0; i < take.frame_names().size(); ++i) index_of[take.frame_names()[i]] = i;
-  const SegmentationMethod method =
-      options.segmentation ? *options.segmentation : choose_segmentation(take, observer);
+  const Segmenter segmenter(take, options.segmentation, observer);
 
   std::vector<Overlay> overlays;
   for (const ResultFrame* frame : spread_frames(result, options.most_frames)) {
@@ -50,7 +49,7 @@ std::vector<Overlay> draw_overlays(Take& take, const Result& result, const HandM
     }
     const TakeFrame pictures = take.read_frame(found->second, observer);
     const TakeFrame shown = take.read_display_frame(found->second, observer);
-    const auto silhouettes = segment_frame(take, pictures, method);
+    const auto silhouettes = segmenter.segment(pictures);
     const TriangleMesh surface = PosedHand(hand, *frame->pose).surface();
     for (std::size_t c = 0; c < take.rig().size(); ++c) {
       if (!pictures.pictures[c] || !shown.pictures[c]) continue;

@@ -10,9 +10,8 @@
 
 namespace tegata {
 
-PreparedFrame prepare_views(const Take& take, const TakeFrame& pictures,
-                            SegmentationMethod method) {
-  FrameViews seen = frame_views(take, pictures, method);
+PreparedFrame prepare_views(const Segmenter& segmenter, const TakeFrame& pictures) {
+  FrameViews seen = frame_views(segmenter, pictures);
   PreparedFrame prepared;
   prepared.name = seen.name;
   prepared.time = seen.time;
@@ -45,9 +44,9 @@ void add_hull(PreparedFrame& prepared, const HullOptions& options) {
   prepared.hull_seconds = watch.seconds();
 }
 
-PreparedFrame prepare_frame(const Take& take, const TakeFrame& pictures, SegmentationMethod method,
+PreparedFrame prepare_frame(const Segmenter& segmenter, const TakeFrame& pictures,
                             const HullOptions& options) {
-  PreparedFrame prepared = prepare_views(take, pictures, method);
+  PreparedFrame prepared = prepare_views(segmenter, pictures);
   add_hull(prepared, options);
   return prepared;
 }

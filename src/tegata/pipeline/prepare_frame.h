@@ -26,11 +26,11 @@ struct PreparedFrame {
 
 /// Makes of a frame's pictures what the fit needs: the views' outlines and the visual hull. What is
 /// wrong with one frame becomes its refusal, not an error.
-PreparedFrame prepare_frame(const Take& take, const TakeFrame& pictures, SegmentationMethod method,
+PreparedFrame prepare_frame(const Segmenter& segmenter, const TakeFrame& pictures,
                             const HullOptions& options);
 
 /// The same without the hull, which costs the more,
-PreparedFrame prepare_views(const Take& take, const TakeFrame& pictures, SegmentationMethod method);
+PreparedFrame prepare_views(const Segmenter& segmenter, const TakeFrame& pictures);
 /// and the hull, where it is needed after all. Where there is none that is the frame's refusal.
 void add_hull(PreparedFrame& prepared, const HullOptions& options);
 

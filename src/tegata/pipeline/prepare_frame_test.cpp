@@ -15,8 +15,7 @@ TEST(PrepareFrame, AViewWithoutAHandIsLeftOutAndNoted) {
   test::write_mask_take(folder.path(), 2);
   write_picture({Image<std::uint16_t>(200, 160, 0), 8}, folder / "masks/camera_1/000000.png");
   Take take = Take::open(folder.path());
-  const PreparedFrame prepared =
-      prepare_frame(take, take.read_frame(0, {}), SegmentationMethod::mask, {});
+  const PreparedFrame prepared = prepare_frame(Segmenter(take, {}, {}), take.read_frame(0, {}), {});
   EXPECT_EQ(prepared.refusal, "");
   EXPECT_EQ(prepared.frame.views.size(), 2U);
   ASSERT_EQ(prepared.notes.size(), 1U);
@@ -27,8 +26,7 @@ TEST(PrepareFrame, TheHullHoldsTheHand) {
   const TestFolder folder;
   test::write_mask_take(folder.path(), 2);
   Take take = Take::open(folder.path());
-  const PreparedFrame prepared =
-      prepare_frame(take, take.read_frame(0, {}), SegmentationMethod::mask, {});
+  const PreparedFrame prepared = prepare_frame(Segmenter(take, {}, {}), take.read_frame(0, {}), {});
   ASSERT_TRUE(prepared.frame.hull.has_value());
   const double hand_volume =
       enclosed_volume(PosedHand(test::small_hand(), test::small_pose(0)).surface());

@@ -9,13 +9,12 @@ namespace {
 
 std::vector<PreparedFrame> prepare_frames(Take& take, const std::vector<std::size_t>& indices,
                                           const PrepareOptions& options, const Observer& observer) {
-  const SegmentationMethod method =
-      options.segmentation ? *options.segmentation : choose_segmentation(take, observer);
+  const Segmenter segmenter(take, options.segmentation, observer);
   std::vector<PreparedFrame> prepared(indices.size());
   for_each_frame(take, indices, options.threads,
                  {.work =
                       [&](std::size_t i, const TakeFrame& pictures) {
-                        prepared[i] = prepare_frame(take, pictures, method, options.hull);
+                        prepared[i] = prepare_frame(segmenter, pictures, options.hull);
                       },
                   .finish =
                       [&](std::size_t i) {

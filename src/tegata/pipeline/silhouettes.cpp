@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/pipeline/silhouettes.h"
 
+#include <utility>
+
 #include "tegata/base/error.h"
 #include "tegata/segment/segmentation.h"
 #include "tegata/take/picture_file.h"
@@ -25,26 +27,13 @@ bool is_colour(const CameraImage& picture) {
   return false;
 }
 
-Silhouette segment_picture(const Take& take, std::size_t camera, const CameraImage& picture,
-                           SegmentationMethod method) {
-  switch (method) {
-    case SegmentationMethod::infrared:
-      return segment_infrared(picture);
-    case SegmentationMethod::skin:
-      return segment_skin(picture);
-    case SegmentationMethod::mask:
-      return silhouette_from_mask(picture);
-    case SegmentationMethod::background:
-      break;
-  }
-  const std::optional<CameraImage> background = take.background(camera);
-  if (!background) {
-    throw Error("camera '", take.rig()[camera].name,
-                "': got no picture of the empty scene, expected ",
-                (take.folder() / "background" / take.rig()[camera].name).string(),
-                ".png for the segmentation method 'background'");
-  }
-  return segment_background(picture, *background);
+CameraImage background_of(const Take& take, std::size_t camera) {
+  std::optional<CameraImage> background = take.background(camera);
+  if (background) return std::move(*background);
+  throw Error("camera '", take.rig()[camera].name,
+              "': got no picture of the empty scene, expected ",
+              (take.folder() / "background" / take.rig()[camera].name).string(),
+              ".png for the segmentation method 'background'");
 }
 
 }  // namespace
@@ -64,13 +53,47 @@ SegmentationMethod choose_segmentation(Take& take, const Observer& observer) {
   return SegmentationMethod::infrared;
 }
 
-std::vector<std::optional<Silhouette>> segment_frame(const Take& take, const TakeFrame& frame,
-                                                     SegmentationMethod method) {
+Segmenter::Segmenter(Take& take, std::optional<SegmentationMethod> method, const Observer& observer)
+    : method_(method ? *method : choose_segmentation(take, observer)), rig_(take.rig()) {
+  for (std::size_t c = 0; c < rig_.size(); ++c) {
+    undistortions_.emplace_back(rig_[c]);
+    if (method_ == SegmentationMethod::background) backgrounds_.push_back(background_of(take, c));
+  }
+}
+
+std::vector<std::optional<Silhouette>> Segmenter::segment(
+    const TakeFrame& frame, std::vector<SegmentationReport>* reports) const {
   std::vector<std::optional<Silhouette>> silhouettes(frame.pictures.size());
+  if (reports != nullptr) reports->assign(frame.pictures.size(), {});
   for (std::size_t c = 0; c < frame.pictures.size(); ++c) {
-    if (frame.pictures[c]) silhouettes[c] = segment_picture(take, c, *frame.pictures[c], method);
+    if (!frame.pictures[c]) continue;
+    SegmentationReport report;
+    silhouettes[c] = segment_picture(*frame.pictures[c], c, report);
+    if (reports != nullptr) (*reports)[c] = report;
   }
   return silhouettes;
+}
+
+Silhouette Segmenter::segment_picture(const CameraImage& picture, std::size_t camera,
+                                      SegmentationReport& report) const {
+  switch (method_) {
+    case SegmentationMethod::infrared:
+      return segment_infrared(picture, {}, &report);
+    case SegmentationMethod::skin:
+      return segment_skin(picture, {}, &report);
+    case SegmentationMethod::background:
+      return segment_background(picture, backgrounds_[camera], {}, &report);
+    case SegmentationMethod::mask:
+      break;
+  }
+  Silhouette mask = silhouette_from_mask(picture);
+  report.hand_pixels = count_pixels(mask, PixelLabel::hand);
+  report.confidence = report.hand_pixels == 0 ? 0.0 : 1.0;
+  return mask;
+}
+
+Silhouette Segmenter::undistorted(const Silhouette& silhouette, std::size_t camera) const {
+  return undistortions_[camera].apply(silhouette);
 }
 
 }  // namespace tegata

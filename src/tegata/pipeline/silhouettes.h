@@ -7,6 +7,8 @@
 
 #include "tegata/base/observer.h"
 #include "tegata/image/silhouette.h"
+#include "tegata/image/undistortion.h"
+#include "tegata/segment/segmentation_report.h"
 #include "tegata/take/take.h"
 
 namespace tegata {
@@ -16,9 +18,31 @@ namespace tegata {
 /// or without colour, skin for colour.
 SegmentationMethod choose_segmentation(Take& take, const Observer& observer);
 
-/// The silhouettes of a frame, one per camera of the rig in its distorted picture; nothing where a
-/// camera has no picture.
-std::vector<std::optional<Silhouette>> segment_frame(const Take& take, const TakeFrame& frame,
-                                                     SegmentationMethod method);
+/// Makes silhouettes of a take's pictures. What is one for all frames is made once.
+class Segmenter {
+ public:
+  /// By the method that is asked for, or else by the one that suits the take. Throws Error where
+  /// the method is `background` and a camera has no picture of the empty scene.
+  Segmenter(Take& take, std::optional<SegmentationMethod> method, const Observer& observer);
+
+  SegmentationMethod method() const { return method_; }
+  const CameraRig& rig() const { return rig_; }
+  /// The silhouettes of a frame, one per camera of the rig in its distorted picture; nothing where
+  /// a camera has no picture. Reports, where asked for, are one per camera as well; a given mask is
+  /// sure.
+  std::vector<std::optional<Silhouette>> segment(
+      const TakeFrame& frame, std::vector<SegmentationReport>* reports = nullptr) const;
+  /// What camera.undistorted() would see.
+  Silhouette undistorted(const Silhouette& silhouette, std::size_t camera) const;
+
+ private:
+  Silhouette segment_picture(const CameraImage& picture, std::size_t camera,
+                             SegmentationReport& report) const;
+
+  SegmentationMethod method_;
+  CameraRig rig_;
+  std::vector<CameraImage> backgrounds_;  // by camera, for that method
+  std::vector<Undistortion> undistortions_;
+};
 
 }  // namespace tegata

@@ -50,7 +50,7 @@ TEST(Silhouettes, MasksAreTakenAsTheyAre) {
   Take take = Take::open(folder.path());
   EXPECT_EQ(choose_segmentation(take, {}), SegmentationMethod::mask);
   const TakeFrame frame = take.read_frame(1, {});
-  const auto silhouettes = segment_frame(take, frame, SegmentationMethod::mask);
+  const auto silhouettes = Segmenter(take, {}, {}).segment(frame);
   ASSERT_TRUE(silhouettes[0].has_value());
   EXPECT_EQ(*silhouettes[0], test::small_silhouette(1, 0));
   EXPECT_FALSE(silhouettes[2].has_value()) << "the last camera lacks the last frame";
@@ -60,8 +60,7 @@ TEST(Silhouettes, BackgroundWithoutItsPictureNamesTheFile) {
   const TestFolder folder;
   write_take(folder, plain(1, 100), nullptr);
   Take take = Take::open(folder.path());
-  const TakeFrame frame = take.read_frame(0, {});
-  EXPECT_TRUE(says(error_of([&] { segment_frame(take, frame, SegmentationMethod::background); }),
+  EXPECT_TRUE(says(error_of([&] { Segmenter(take, SegmentationMethod::background, {}); }),
                    "camera_0", "background", "empty scene"));
 }
 

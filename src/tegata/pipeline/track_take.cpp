@@ -100,14 +100,13 @@ Result track_take(Take& take, const HandModel& hand_model, const TrackTakeOption
   refuse_bad_numbers(take);
   const FitHand hand(hand_model);
   const std::vector<std::size_t> indices = selected_frames(options.frames, take);
-  const SegmentationMethod method =
-      options.segmentation ? *options.segmentation : choose_segmentation(take, observer);
+  const Segmenter segmenter(take, options.segmentation, observer);
   TrackedTake tracked(hand, options, observer);
   std::vector<PreparedFrame> ahead(kFramesAtOnce);
   for_each_frame(take, indices, options.threads,
                  {.work =
                       [&](std::size_t i, const TakeFrame& pictures) {
-                        ahead[i % kFramesAtOnce] = prepare_views(take, pictures, method);
+                        ahead[i % kFramesAtOnce] = prepare_views(segmenter, pictures);
                       },
                   .finish =
                       [&](std::size_t i) {

@@ -82,10 +82,11 @@ Silhouette segment_background(const CameraImage& picture, const CameraImage& bac
       if (largest > kThreshold) silhouette(x, y) = PixelLabel::hand;
     }
   }
+  BorderReport border;
   for (int round = 0; round < 2; ++round) {
     keep_large_components(silhouette, options.smallest_share);
     fill_pinholes(silhouette, kLargestPinhole);
-    move_border_to_half_height(difference, 1.0, BorderOptions{}, silhouette);
+    border = move_border_to_half_height(difference, 1.0, BorderOptions{}, silhouette);
   }
   keep_large_components(silhouette, options.smallest_share);
   fill_pinholes(silhouette, kLargestPinhole);
@@ -94,7 +95,9 @@ Silhouette segment_background(const CameraImage& picture, const CameraImage& bac
     silhouette = Silhouette(width, height, PixelLabel::background);
     hand_pixels = 0;
   }
-  if (report != nullptr) *report = {kThreshold * least_noise, hand_pixels};
+  if (report != nullptr) {
+    *report = {kThreshold * least_noise, hand_pixels, hand_pixels == 0 ? 0.0 : border.clear_share};
+  }
   return silhouette;
 }
 

@@ -6,11 +6,13 @@
 // S^-1 (a - b).
 #include "tegata/segment/border.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -23,93 +25,168 @@ template <int N>
 using Levels = Eigen::Matrix<double, N, 1>;
 
 template <int N>
-Levels<N> value_at(const Image<float>& picture, int x, int y) {
+Levels<N> value_at(const float* pixel) {
   Levels<N> value;
-  for (int c = 0; c < N; ++c) value[c] = picture(x, y, c);
+  for (int c = 0; c < N; ++c) value[c] = static_cast<double>(pixel[c]);
   return value;
 }
 
-// Count, sum and sum of products of values.
+// Count, sum and sums of products (lower triangle) of values.
 template <int N>
-struct Moments {
-  double count = 0.0;
-  Levels<N> sum = Levels<N>::Zero();
-  Eigen::Matrix<double, N, N> products = Eigen::Matrix<double, N, N>::Zero();
+class Moments {
+ public:
+  void add(const float* pixel) { add_times(1.0, pixel); }
+  void remove(const float* pixel) { add_times(-1.0, pixel); }
+  void set_to_sum(const Moments& a, const Moments& b) {
+    for (std::size_t i = 0; i < kSize; ++i) sums_[i] = a.sums_[i] + b.sums_[i];
+  }
+  void set_to_difference(const Moments& a, const Moments& b) {
+    for (std::size_t i = 0; i < kSize; ++i) sums_[i] = a.sums_[i] - b.sums_[i];
+  }
 
-  void add(double sign, const Levels<N>& value) {
-    count += sign;
-    sum += sign * value;
-    products += sign * value * value.transpose();
-  }
-  Moments& operator+=(const Moments& other) {
-    count += other.count;
-    sum += other.sum;
-    products += other.products;
-    return *this;
-  }
-  Moments& operator-=(const Moments& other) {
-    count -= other.count;
-    sum -= other.sum;
-    products -= other.products;
-    return *this;
-  }
-  Levels<N> mean() const { return sum / count; }
+  double count() const { return sums_[0]; }
+  Levels<N> mean() const { return Eigen::Map<const Levels<N>>(sums_.data() + 1) / count(); }
   // The sum of (value - mean) (value - mean)^T.
-  Eigen::Matrix<double, N, N> scatter() const { return products - sum * sum.transpose() / count; }
+  Eigen::Matrix<double, N, N> scatter() const {
+    Eigen::Matrix<double, N, N> products;
+    std::size_t i = 1 + N;
+    for (int row = 0; row < N; ++row) {
+      for (int column = 0; column <= row; ++column) {
+        products(row, column) = products(column, row) = sums_[i++];
+      }
+    }
+    return products - count() * mean() * mean().transpose();
+  }
+
+ private:
+  // Rounded up, as two sums are added at a time.
+  static constexpr std::size_t kSize = (2 + N + N * (N + 1) / 2) / 2 * 2;
+
+  void add_times(double sign, const float* pixel) {
+    sums_[0] += sign;
+    std::size_t i = 1 + N;
+    for (int row = 0; row < N; ++row) {
+      const double value = sign * static_cast<double>(pixel[row]);
+      sums_[static_cast<std::size_t>(1 + row)] += value;
+      for (int column = 0; column <= row; ++column) {
+        sums_[i++] += value * static_cast<double>(pixel[column]);
+      }
+    }
+  }
+
+  std::array<double, kSize> sums_ = {};
 };
 
-// The pixels of a label that are clear of the border: 0 or 255.
-cv::Mat sure_pixels(const Silhouette& silhouette, PixelLabel label, const BorderOptions& options) {
-  cv::Mat mask(silhouette.height(), silhouette.width(), CV_8U), sure;
-  std::transform(silhouette.values().begin(), silhouette.values().end(), mask.begin<std::uint8_t>(),
-                 [&](PixelLabel l) { return static_cast<std::uint8_t>(l == label ? 255 : 0); });
-  const int breadth = 2 * options.clearance_px + 1;
-  cv::erode(mask, sure, cv::getStructuringElement(cv::MORPH_ELLIPSE, {breadth, breadth}));
-  return sure;
+// Grown by `margin` pixels on each side, but not over the edge of the picture.
+cv::Rect grown(const cv::Rect& box, int margin, const Silhouette& silhouette) {
+  return cv::Rect(box.x - margin, box.y - margin, box.width + 2 * margin, box.height + 2 * margin) &
+         cv::Rect(0, 0, silhouette.width(), silhouette.height());
 }
 
-// The moments of one side's sure pixels over square windows around the pixels of a part of the
-// picture, row by row from its top.
+bool are_equal(const PixelLabel* a, const PixelLabel* b, int count) {
+  return std::memcmp(a, b, static_cast<std::size_t>(count)) == 0;
+}
+
+// The box of all pixels with another label than their neighbour's on the right or below, and of
+// these neighbours.
+cv::Rect box_of_borders(const Silhouette& silhouette) {
+  const int width = silhouette.width(), height = silhouette.height();
+  const PixelLabel* const labels = silhouette.values().data();
+  int left = width, right = 0, top = height, bottom = 0;
+  // The columns in which two stretches of labels differ belong to the box.
+  const auto add_differences = [&](const PixelLabel* a, const PixelLabel* b, int count, int extra) {
+    left = std::min(left, static_cast<int>(std::mismatch(a, a + count, b).first - a));
+    int last = count;
+    while (last > right && a[last - 1] == b[last - 1]) --last;
+    right = std::max(right, last + extra);
+  };
+  for (int y = 0; y < height; ++y) {
+    const PixelLabel* const row = labels + static_cast<std::ptrdiff_t>(y) * width;
+    const bool across = !are_equal(row, row + 1, width - 1);
+    const bool down = y + 1 < height && !are_equal(row, row + width, width);
+    if (across) add_differences(row, row + 1, width - 1, 1);
+    if (down) add_differences(row, row + width, width, 0);
+    if (!across && !down) continue;
+    top = std::min(top, y);
+    bottom = std::max(bottom, down ? y + 2 : y + 1);
+  }
+  return right <= left ? cv::Rect() : cv::Rect(left, top, right - left, bottom - top);
+}
+
+// Which pixels of a part of the picture belong to which side for sure (255, else 0).
+struct SurePixels {
+  SurePixels(const Silhouette& silhouette, const cv::Rect& part, const BorderOptions& options)
+      : labels(silhouette.height(), silhouette.width(), CV_8U,
+               // Only read from.
+               const_cast<PixelLabel*>(silhouette.values().data())),
+        hand(of(PixelLabel::hand, part, options)),
+        background(of(PixelLabel::background, part, options)) {}
+
+  cv::Mat labels, hand, background;
+
+ private:
+  cv::Mat of(PixelLabel label, const cv::Rect& part, const BorderOptions& options) const {
+    cv::Mat mask, sure;
+    cv::compare(labels(part), static_cast<double>(label), mask, cv::CMP_EQ);
+    const int breadth = 2 * options.clearance_px + 1;
+    cv::erode(mask, sure, cv::getStructuringElement(cv::MORPH_ELLIPSE, {breadth, breadth}));
+    return sure;
+  }
+};
+
+// The moments of one side's sure pixels over square windows, row by row from the top of a part of
+// the picture. Every other row is enough. Positions are within the part.
 template <int N>
 class Side {
  public:
   Side(const Image<float>& picture, const cv::Mat& sure, const cv::Rect& part, int reach)
       : picture_(picture),
         sure_(sure),
+        part_(part),
         reach_(reach),
-        left_(std::max(0, part.x - reach)),
-        right_(std::min(sure.cols, part.x + part.width + reach)),
-        top_(std::max(0, part.y - reach)),
-        bottom_(top_),
-        columns_(static_cast<std::size_t>(right_ - left_)),
+        columns_(static_cast<std::size_t>(part.width)),
         sums_(columns_.size() + 1) {}
 
   void go_to_row(int y) {
-    for (; bottom_ < std::min(sure_.rows, y + reach_ + 1); ++bottom_) add_row(bottom_, 1.0);
-    for (; top_ < y - reach_; ++top_) add_row(top_, -1.0);
+    bool has_changed = false;
+    for (; bottom_ < std::min(part_.height, y + reach_ + 1); bottom_ += kRowStep) {
+      each_sure(bottom_, [&](std::size_t x, const float* pixel) { columns_[x].add(pixel); });
+      has_changed = true;
+    }
+    for (; top_ < y - reach_; top_ += kRowStep) {
+      each_sure(top_, [&](std::size_t x, const float* pixel) { columns_[x].remove(pixel); });
+      has_changed = true;
+    }
+    if (!has_changed) return;
     for (std::size_t x = 0; x < columns_.size(); ++x) {
-      sums_[x + 1] = sums_[x];
-      sums_[x + 1] += columns_[x];
+      sums_[x + 1].set_to_sum(sums_[x], columns_[x]);
     }
   }
   Moments<N> around(int x) const {
-    Moments<N> moments = sums_[static_cast<std::size_t>(std::min(right_, x + reach_ + 1) - left_)];
-    moments -= sums_[static_cast<std::size_t>(std::max(left_, x - reach_) - left_)];
+    Moments<N> moments;
+    moments.set_to_difference(
+        sums_[static_cast<std::size_t>(std::min(part_.width, x + reach_ + 1))],
+        sums_[static_cast<std::size_t>(std::max(0, x - reach_))]);
     return moments;
   }
 
  private:
-  void add_row(int y, double sign) {
-    for (int x = left_; x < right_; ++x) {
-      if (sure_.at<std::uint8_t>(y, x) == 0) continue;
-      columns_[static_cast<std::size_t>(x - left_)].add(sign, value_at<N>(picture_, x, y));
+  template <typename Visit>
+  void each_sure(int y, const Visit& visit) {
+    const std::uint8_t* const sure = sure_.ptr<std::uint8_t>(y);
+    const float* pixel = &picture_(part_.x, part_.y + y);
+    for (std::size_t x = 0; x < columns_.size(); ++x, pixel += N) {
+      if (sure[x] != 0) visit(x, pixel);
     }
   }
 
+  static constexpr int kRowStep = 2;
+
   const Image<float>& picture_;
   cv::Mat sure_;
-  int reach_, left_, right_;
-  int top_, bottom_;  // the rows that the columns' moments cover, without the last
+  cv::Rect part_;
+  int reach_;
+  int top_ = 0, bottom_ = 0;  // first row in the columns' moments, first one not in them
   std::vector<Moments<N>> columns_;
   std::vector<Moments<N>> sums_;  // of the columns before each
 };
@@ -119,40 +196,54 @@ class Side {
 template <int N, typename Visit>
 void visit_border(const Image<float>& picture, const BorderOptions& options,
                   const Silhouette& silhouette, const Visit& visit) {
-  const cv::Mat sure_hand = sure_pixels(silhouette, PixelLabel::hand, options);
-  const cv::Mat sure_background = sure_pixels(silhouette, PixelLabel::background, options);
-  const cv::Mat doubtful = (sure_hand | sure_background) == 0;
-  const cv::Rect part = cv::boundingRect(doubtful);
-  Side<N> hand(picture, sure_hand, part, options.reach_px);
-  Side<N> background(picture, sure_background, part, options.reach_px);
-  for (int y = part.y; y < part.y + part.height; ++y) {
-    hand.go_to_row(y);
-    background.go_to_row(y);
-    for (int x = part.x; x < part.x + part.width; ++x) {
-      if (doubtful.at<std::uint8_t>(y, x) == 0 || silhouette(x, y) == PixelLabel::unknown) continue;
-      const Moments<N> on_hand = hand.around(x), behind = background.around(x);
-      if (on_hand.count > 0.5 && behind.count > 0.5) visit(x, y, on_hand, behind);
+  const cv::Rect border = box_of_borders(silhouette);
+  if (border.empty()) return;
+  const cv::Rect near = grown(border, options.clearance_px, silhouette);
+  const cv::Rect part = grown(near, options.reach_px, silhouette);
+  const SurePixels sure(silhouette, part, options);
+  Side<N> hand(picture, sure.hand, part, options.reach_px);
+  Side<N> background(picture, sure.background, part, options.reach_px);
+  for (int y = near.y; y < near.y + near.height; ++y) {
+    hand.go_to_row(y - part.y);
+    background.go_to_row(y - part.y);
+    const std::uint8_t* const sure_hand = sure.hand.ptr<std::uint8_t>(y - part.y);
+    const std::uint8_t* const sure_background = sure.background.ptr<std::uint8_t>(y - part.y);
+    for (int x = near.x; x < near.x + near.width; ++x) {
+      const int i = x - part.x;
+      if ((sure_hand[i] | sure_background[i]) != 0) continue;
+      if (silhouette(x, y) == PixelLabel::unknown) continue;
+      const Moments<N> on_hand = hand.around(i), behind = background.around(i);
+      if (on_hand.count() > 0.5 && behind.count() > 0.5) visit(x, y, on_hand, behind);
     }
   }
 }
 
 template <int N>
-void move_border(const Image<float>& picture, double noise, const BorderOptions& options,
-                 Silhouette& silhouette) {
+BorderReport move_border(const Image<float>& picture, double noise, const BorderOptions& options,
+                         Silhouette& silhouette) {
   constexpr double kLeastDistance = 3.0;  // standard deviations
   const Silhouette before = silhouette;
+  BorderReport report;
+  double visited = 0.0;
   visit_border<N>(picture, options, before,
                   [&](int x, int y, const Moments<N>& hand, const Moments<N>& background) {
                     const Levels<N> high = hand.mean(), low = background.mean(), step = high - low;
-                    Eigen::Matrix<double, N, N> spread =
-                        (hand.scatter() + background.scatter()) / (hand.count + background.count);
+                    report.contrast += step[0];
+                    visited += 1.0;
+                    Eigen::Matrix<double, N, N> spread = (hand.scatter() + background.scatter()) /
+                                                         (hand.count() + background.count());
                     spread.diagonal().array() += noise * noise;
-                    const Levels<N> direction = spread.ldlt().solve(step);
+                    const Levels<N> direction = spread.inverse() * step;
                     if (!(direction.dot(step) >= kLeastDistance * kLeastDistance)) return;
-                    const bool is_hand =
-                        direction.dot(value_at<N>(picture, x, y) - 0.5 * (high + low)) > 0.0;
+                    report.clear_share += 1.0;
+                    const Levels<N> value = value_at<N>(&picture(x, y));
+                    const bool is_hand = direction.dot(value - 0.5 * (high + low)) > 0.0;
                     silhouette(x, y) = is_hand ? PixelLabel::hand : PixelLabel::background;
                   });
+  if (visited == 0.0) return {};
+  report.contrast /= visited;
+  report.clear_share /= visited;
+  return report;
 }
 
 void check_sizes(const Image<float>& picture, const Silhouette& silhouette) {
@@ -167,27 +258,11 @@ void check_sizes(const Image<float>& picture, const Silhouette& silhouette) {
 
 }  // namespace
 
-void move_border_to_half_height(const Image<float>& picture, double noise,
-                                const BorderOptions& options, Silhouette& silhouette) {
+BorderReport move_border_to_half_height(const Image<float>& picture, double noise,
+                                        const BorderOptions& options, Silhouette& silhouette) {
   check_sizes(picture, silhouette);
-  if (picture.channels() == 1) {
-    move_border<1>(picture, noise, options, silhouette);
-  } else {
-    move_border<3>(picture, noise, options, silhouette);
-  }
-}
-
-double border_contrast(const Image<float>& picture, const BorderOptions& options,
-                       const Silhouette& silhouette) {
-  check_sizes(picture, silhouette);
-  double sum = 0.0;
-  std::size_t count = 0;
-  visit_border<1>(picture, options, silhouette,
-                  [&](int, int, const Moments<1>& hand, const Moments<1>& background) {
-                    sum += hand.mean()[0] - background.mean()[0];
-                    ++count;
-                  });
-  return count == 0 ? 0.0 : sum / static_cast<double>(count);
+  return picture.channels() == 1 ? move_border<1>(picture, noise, options, silhouette)
+                                 : move_border<3>(picture, noise, options, silhouette);
 }
 
 }  // namespace tegata

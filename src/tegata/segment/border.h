@@ -13,18 +13,20 @@ struct BorderOptions {
   int reach_px = 12;     ///< of the square window over which a side's level is averaged
 };
 
+/// What the two sides of a border are like, averaged over its pixels; 0 where no border has both
+/// sides in reach.
+struct BorderReport {
+  double contrast = 0.0;     ///< how much brighter the hand is (first channel)
+  double clear_share = 0.0;  ///< of the border, on which the two differ by more than their spread
+};
+
 /// Moves the border between hand and background to where a picture (1 or 3 channels, with noise of
 /// the given standard deviation) is half way between the levels of the two sides nearby. That is
 /// where the border is under a symmetric blur and a vignetting, which a single threshold is not. Of
 /// several channels it takes the combination that tells the two sides apart best there (Fisher
 /// 1936). A pixel near the border keeps its label where one of the sides has no sure pixel in
 /// reach, or where the levels differ by less than three times their spread.
-void move_border_to_half_height(const Image<float>& picture, double noise,
-                                const BorderOptions& options, Silhouette& silhouette);
-
-/// How much brighter the hand is than the background on either side of the border (first channel),
-/// averaged over the border's pixels; 0 where no border has both sides in reach.
-double border_contrast(const Image<float>& picture, const BorderOptions& options,
-                       const Silhouette& silhouette);
+BorderReport move_border_to_half_height(const Image<float>& picture, double noise,
+                                        const BorderOptions& options, Silhouette& silhouette);
 
 }  // namespace tegata

@@ -95,9 +95,12 @@ TEST(BorderContrast, IsThatOfTheEdgeAndNotOfAFadingLight) {
       slope(x, y) = static_cast<float>(-0.5 * outside(x, y));
     }
   }
-  EXPECT_NEAR(border_contrast(step, {}, disk(0.0)), 40.0, 0.5);
-  EXPECT_LT(border_contrast(slope, {}, disk(0.0)), 10.0);  // from middle to corner it is 35
-  EXPECT_EQ(border_contrast(step, {}, Silhouette(kSize, kSize)), 0.0);
+  const auto contrast = [](const Image<float>& picture, Silhouette silhouette) {
+    return move_border_to_half_height(picture, 1.0, {}, silhouette).contrast;
+  };
+  EXPECT_NEAR(contrast(step, disk(0.0)), 40.0, 0.5);
+  EXPECT_LT(contrast(slope, disk(0.0)), 10.0);  // from middle to corner it is 35
+  EXPECT_EQ(contrast(step, Silhouette(kSize, kSize)), 0.0);
 }
 
 TEST(Border, RefusesAPictureOfAnotherSize) {

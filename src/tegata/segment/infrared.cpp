@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "tegata/base/error.h"
@@ -29,13 +31,14 @@ Image<float> grey(const CameraImage& picture) {
                 " with ", source.channels(), " channels, expected pixels with 1 or 3 channels");
   }
   Image<float> mean(source.width(), source.height());
-  const float share = 1.0F / static_cast<float>(source.channels());
-  for (int y = 0; y < source.height(); ++y) {
-    for (int x = 0; x < source.width(); ++x) {
-      float sum = 0.0F;
-      for (int c = 0; c < source.channels(); ++c) sum += source(x, y, c);
-      mean(x, y) = sum * share;
-    }
+  const std::uint16_t* value = source.values().data();
+  if (source.channels() == 1) {
+    std::copy(value, value + source.values().size(), mean.values().begin());
+    return mean;
+  }
+  for (float& grey : mean.values()) {
+    grey = static_cast<float>(value[0] + value[1] + value[2]) / 3.0F;
+    value += 3;
   }
   return mean;
 }
@@ -46,19 +49,35 @@ void smooth(Image<float>& image, double sigma_px) {
     cv::GaussianBlur(view, view, {0, 0}, sigma_px, sigma_px, cv::BORDER_REPLICATE);
 }
 
-// Otsu's threshold: between the two classes of values whose means are farthest apart.
-double otsu_threshold(const Image<float>& image) {
+// Values of the image on a lattice with a stride.
+std::vector<float> lattice(const Image<float>& image, int stride) {
+  std::vector<float> values;
+  values.reserve(image.pixel_count() / static_cast<std::size_t>(stride * stride) + 1);
+  for (int y = stride / 2; y < image.height(); y += stride) {
+    for (int x = stride / 2; x < image.width(); x += stride) values.push_back(image(x, y));
+  }
+  return values;
+}
+
+// Otsu's threshold: between the two classes of values whose means are farthest apart. The values
+// may be reordered. One in a thousand at either end, as of dead and hot pixels, is moved to where
+// the others end, so that they do not take the histogram for themselves.
+double otsu_threshold(std::vector<float>& values) {
   constexpr std::size_t kBins = 512;
-  const auto [low, high] = std::minmax_element(image.values().begin(), image.values().end());
+  if (values.empty()) return 0.0;
+  const auto few = static_cast<std::ptrdiff_t>(values.size() / 1000);
+  const auto low = values.begin() + few, high = values.end() - 1 - few;
+  std::nth_element(values.begin(), low, values.end());
+  std::nth_element(low, high, values.end());
   const double start = *low, width = std::max(1e-6, (static_cast<double>(*high) - start) / kBins);
   std::array<double, kBins> histogram = {};
-  for (const float value : image.values()) {
-    const auto bin = static_cast<std::size_t>((static_cast<double>(value) - start) / width);
-    histogram[std::min(bin, kBins - 1)] += 1.0;
+  for (const float value : values) {
+    const double bin = (static_cast<double>(value) - start) / width;
+    histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, kBins - 0.5))] += 1.0;
   }
   double total = 0.0;
   for (std::size_t i = 0; i < kBins; ++i) total += static_cast<double>(i) * histogram[i];
-  const double count = static_cast<double>(image.values().size());
+  const double count = static_cast<double>(values.size());
   double below = 0.0, sum = 0.0, best = -1.0;
   std::size_t best_bin = 0;
   for (std::size_t i = 0; i + 1 < kBins; ++i) {
@@ -78,27 +97,33 @@ double otsu_threshold(const Image<float>& image) {
 
 using Quadratic = Eigen::Matrix<double, 6, 1>;
 
-Quadratic monomials(int x, int y, const Image<float>& image) {
-  const double u = 2.0 * x / image.width() - 1.0, v = 2.0 * y / image.height() - 1.0;
+// 1, u, v, u^2, u v, v^2 with u and v from -1 to 1 over the picture.
+Quadratic monomials(double u, double v) {
   return (Quadratic() << 1.0, u, v, u * u, u * v, v * v).finished();
 }
+double across(int x, int width) { return 2.0 * x / width - 1.0; }
 
-// Takes from the image the quadratic that fits its pixels below the threshold best, outliers
-// trimmed: what is left of a slope or a vignetting of the background is then little.
-void flatten(Image<float>& image, double threshold) {
-  constexpr int kStride = 4;
+// The quadratic that fits the pixels below a threshold best, outliers trimmed; nothing where they
+// are too few.
+std::optional<Quadratic> fit_background(const Image<float>& image, double threshold) {
+  constexpr double kEnough = 5000.0;
+  constexpr std::size_t kLeast = 100;
   constexpr double kTrim = 2.5 * 1.4826;  // medians of the absolute residual
+  const int stride =
+      std::max(1, static_cast<int>(std::sqrt(static_cast<double>(image.pixel_count()) / kEnough)));
   struct Sample {
     Quadratic row;
     double value;
   };
   std::vector<Sample> samples;
-  for (int y = kStride / 2; y < image.height(); y += kStride) {
-    for (int x = kStride / 2; x < image.width(); x += kStride) {
-      if (image(x, y) <= threshold) samples.push_back({monomials(x, y, image), image(x, y)});
+  for (int y = stride / 2; y < image.height(); y += stride) {
+    for (int x = stride / 2; x < image.width(); x += stride) {
+      if (image(x, y) > threshold) continue;
+      samples.push_back(
+          {monomials(across(x, image.width()), across(y, image.height())), image(x, y)});
     }
   }
-  if (samples.size() < 100) return;
+  if (samples.size() < kLeast) return std::nullopt;
   Quadratic fit = Quadratic::Zero();
   std::vector<float> residuals(samples.size(), 0.0F);
   for (int round = 0; round < 4; ++round) {
@@ -115,9 +140,25 @@ void flatten(Image<float>& image, double threshold) {
       residuals[i] = static_cast<float>(std::abs(samples[i].value - fit.dot(samples[i].row)));
     }
   }
+  return fit;
+}
+
+// Takes that quadratic off: what is left of a slope or a vignetting of the background is little.
+void flatten(Image<float>& image, double threshold) {
+  const std::optional<Quadratic> background = fit_background(image, threshold);
+  if (!background) return;
+  const Quadratic& fit = *background;
   for (int y = 0; y < image.height(); ++y) {
+    // Of the row's x alone: a parabola.
+    const double v = across(y, image.height()), step = 2.0 / image.width();
+    const double at_zero = fit[0] + fit[2] * v + fit[5] * v * v, slope = fit[1] + fit[4] * v;
+    const auto constant = static_cast<float>(at_zero - slope + fit[3]);
+    const auto linear = static_cast<float>((slope - 2.0 * fit[3]) * step);
+    const auto square = static_cast<float>(fit[3] * step * step);
+    float* const row = &image(0, y);
     for (int x = 0; x < image.width(); ++x) {
-      image(x, y) -= static_cast<float>(fit.dot(monomials(x, y, image)));
+      const auto along = static_cast<float>(x);
+      row[x] -= constant + along * (linear + along * square);
     }
   }
 }
@@ -128,11 +169,116 @@ struct Classes {
   double middle() const { return 0.5 * (low + high); }
 };
 
-Classes split_classes(const Image<float>& image, double threshold) {
+Classes split_classes(const std::vector<float>& values, double threshold) {
   std::vector<float> below, above;
-  for (const float value : image.values()) (value > threshold ? above : below).push_back(value);
+  for (const float value : values) (value > threshold ? above : below).push_back(value);
   if (below.empty() || above.empty()) return {threshold, threshold};
-  return {median(below), median(above)};
+  return {median(std::move(below)), median(std::move(above))};
+}
+
+// The pixels of one silhouette that are not hand in the other.
+Silhouette without(Silhouette silhouette, const Silhouette& other) {
+  for (std::size_t i = 0; i < silhouette.values().size(); ++i) {
+    if (other.values()[i] == PixelLabel::hand) silhouette.values()[i] = PixelLabel::background;
+  }
+  return silhouette;
+}
+
+void add(Silhouette& silhouette, const Silhouette& other) {
+  for (std::size_t i = 0; i < silhouette.values().size(); ++i) {
+    if (other.values()[i] == PixelLabel::hand) silhouette.values()[i] = PixelLabel::hand;
+  }
+}
+
+// The edge between a piece of the warm and the rest of it.
+BorderReport edge_of(const Silhouette& piece, const Silhouette& cooler, const Image<float>& image,
+                     double noise) {
+  Silhouette parts(image.width(), image.height(), PixelLabel::unknown);
+  for (std::size_t i = 0; i < parts.values().size(); ++i) {
+    if (piece.values()[i] == PixelLabel::hand) parts.values()[i] = PixelLabel::hand;
+    if (cooler.values()[i] == PixelLabel::hand) parts.values()[i] = PixelLabel::background;
+  }
+  return move_border_to_half_height(image, noise, {}, parts);
+}
+
+// Cuts off what is narrower than three pixels, as the blurred rims of what is warmer are.
+void cut_off_rims(Silhouette& silhouette) {
+  cv::Mat view(silhouette.height(), silhouette.width(), CV_8U, silhouette.values().data());
+  cv::morphologyEx(view, view, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
+}
+
+// The mean value of the image over a silhouette's hand.
+double mean_over(const Silhouette& silhouette, const Image<float>& image) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < silhouette.values().size(); ++i) {
+    if (silhouette.values()[i] != PixelLabel::hand) continue;
+    sum += static_cast<double>(image.values()[i]);
+    count += 1.0;
+  }
+  return sum / std::max(1.0, count);
+}
+
+// Sleeves, clothes and what the hand has warmed lie between it and the room. Pieces that are warmer
+// than the rest of the silhouette and parted from it by an edge, as skin is from cloth, take its
+// place. Where skin is merely warmer here than there the warmth fades. Small cooler pieces beside
+// them stay: cold fingers. Returns by how much the hand is warmer than what it was parted from;
+// nothing where it stays as it is.
+std::optional<double> narrow_to_warmest(const Image<float>& image, double noise,
+                                        const Classes& picture, Silhouette& silhouette) {
+  constexpr double kLeastStep = 0.25;   // of what the warmer part is above the room
+  constexpr double kLeastEdge = 0.5;    // of the step must be there within the border's reach
+  constexpr double kLeastClear = 0.6;   // of the border
+  constexpr double kLeastLevel = 0.75;  // on the way from the cooler part's level to the warmer's
+  constexpr double kMostCooler = 0.25;  // of the largest piece
+  constexpr double kLeastPiece = 0.25;  // of the largest
+  constexpr int kMostPieces = 6;
+  std::vector<float> values;
+  for (int y = 0; y < image.height(); y += 3) {
+    for (int x = 0; x < image.width(); x += 3) {
+      if (silhouette(x, y) == PixelLabel::hand) values.push_back(image(x, y));
+    }
+  }
+  const Classes classes = split_classes(values, otsu_threshold(values));
+  const double step = classes.high - classes.low;
+  if (!(step > kLeastStep * (classes.high - picture.low))) return std::nullopt;
+  Silhouette whole = silhouette;
+  const BorderReport outline = move_border_to_half_height(image, noise, {}, whole);
+  if (outline.contrast < 0.5 * (picture.high - picture.low)) return std::nullopt;
+  Silhouette warmer = silhouette;
+  for (std::size_t i = 0; i < warmer.values().size(); ++i) {
+    if (static_cast<double>(image.values()[i]) <= classes.middle()) {
+      warmer.values()[i] = PixelLabel::background;
+    }
+  }
+  const Silhouette cooler = without(silhouette, warmer);
+  Silhouette kept(image.width(), image.height(), PixelLabel::background);
+  std::size_t largest = 0, least = 0;
+  bool has_edge = false;
+  for (int i = 0; i < kMostPieces; ++i) {
+    Silhouette piece = warmer;
+    keep_large_components(piece, 1.0);
+    const std::size_t pixels = count_pixels(piece, PixelLabel::hand);
+    if (i == 0) least = static_cast<std::size_t>(kLeastPiece * static_cast<double>(pixels));
+    if (pixels <= least) break;
+    warmer = without(std::move(warmer), piece);
+    if (mean_over(piece, image) < classes.low + kLeastLevel * step) continue;
+    const BorderReport edge = edge_of(piece, cooler, image, noise);
+    const bool stands_alone = edge.contrast == 0.0;
+    const bool is_edge = edge.contrast > kLeastEdge * step && edge.clear_share > kLeastClear;
+    if (!stands_alone && !is_edge) continue;
+    has_edge = has_edge || is_edge;
+    largest = std::max(largest, pixels);
+    add(kept, piece);
+  }
+  if (!has_edge) return std::nullopt;
+  Silhouette beside = without(silhouette, kept);
+  cut_off_rims(beside);
+  drop_large_components(beside,
+                        static_cast<std::size_t>(kMostCooler * static_cast<double>(largest)));
+  add(beside, kept);
+  keep_components_with(beside, kept);
+  silhouette = std::move(beside);
+  return step;
 }
 
 }  // namespace
@@ -143,29 +289,36 @@ Silhouette segment_infrared(const CameraImage& picture, const InfraredOptions& o
   // Never less than what rounding to whole counts leaves.
   const double noise = std::max(0.29, pixel_noise(image));
   smooth(image, options.blur_px);
-  flatten(image, otsu_threshold(image));
-  const Classes classes = split_classes(image, otsu_threshold(image));
+  constexpr int kStride = 4;
+  std::vector<float> values = lattice(image, kStride);
+  flatten(image, otsu_threshold(values));
+  values = lattice(image, kStride);
+  const Classes classes = split_classes(values, otsu_threshold(values));
 
   Silhouette silhouette(image.width(), image.height(), PixelLabel::background);
   std::transform(image.values().begin(), image.values().end(), silhouette.values().begin(),
-                 [&](float value) {
-                   return value > classes.middle() ? PixelLabel::hand : PixelLabel::background;
+                 [middle = static_cast<float>(classes.middle())](float value) {
+                   return value > middle ? PixelLabel::hand : PixelLabel::background;
                  });
   keep_large_components(silhouette, options.smallest_share);
-  const BorderOptions border;
-  constexpr double kLeastContrast = 6.0;  // times the noise
+  const double step =
+      narrow_to_warmest(image, noise, classes, silhouette).value_or(classes.high - classes.low);
+  BorderReport border;
   for (int round = 0; round < 2; ++round) {
     fill_pinholes(silhouette, kLargestPinhole);
-    move_border_to_half_height(image, noise, border, silhouette);
+    border = move_border_to_half_height(image, noise, {}, silhouette);
   }
   keep_large_components(silhouette, options.smallest_share);
   fill_pinholes(silhouette, kLargestPinhole);
   // A hand stands out from what is around it: shading fades away, noise has no border of its size.
-  const double contrast = border_contrast(image, border, silhouette);
-  if (contrast < std::max(kLeastContrast * noise, 0.5 * (classes.high - classes.low))) {
+  constexpr double kLeastContrast = 6.0;  // times the noise
+  if (border.contrast < std::max(kLeastContrast * noise, 0.5 * step)) {
     silhouette = Silhouette(image.width(), image.height(), PixelLabel::background);
+    border = {};
   }
-  if (report != nullptr) *report = {classes.middle(), count_pixels(silhouette, PixelLabel::hand)};
+  if (report != nullptr) {
+    *report = {classes.middle(), count_pixels(silhouette, PixelLabel::hand), border.clear_share};
+  }
   return silhouette;
 }
 

@@ -5,7 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
 
 #include "tegata/base/error.h"
 #include "tegata/base/random.h"
@@ -137,6 +142,123 @@ TEST(SegmentInfrared, TakesTheMeanOfThreeChannels) {
     }
   }
   EXPECT_EQ(segment_infrared(colour), segment_infrared(grey));
+}
+
+// The palm's lower part in cloth that is nearer to the skin's warmth than to the room's, and a
+// finger that is cold.
+TEST(SegmentInfrared, LeavesOutASleeveAndKeepsAColdFinger) {
+  Random random(6);
+  constexpr int kCuff = 160;
+  CameraImage picture = photograph({}, random);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const bool is_sleeve = y > kCuff && std::abs(x - 170) < 45;
+      const bool is_cold = y < 70 && x < 145 && hand_distance(x, y) < 0.0;
+      if (is_sleeve) picture.values(x, y) = 110;
+      if (is_cold) picture.values(x, y) = 115;
+    }
+  }
+  const Silhouette found = segment_infrared(picture);
+  EXPECT_EQ(found(170, kCuff - 5), PixelLabel::hand);
+  EXPECT_EQ(found(170, kCuff + 5), PixelLabel::background);
+  EXPECT_EQ(found(135, 60), PixelLabel::hand);
+  Silhouette above = truth();
+  for (int y = kCuff; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) above(x, y) = PixelLabel::background;
+  }
+  EXPECT_GT(intersection_over_union(found, above), 0.96);
+}
+
+TEST(SegmentInfrared, SkinThatIsWarmerHereThanThereStaysWhole) {
+  Random random(7);
+  CameraImage picture = photograph({}, random);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      if (hand_distance(x, y) > 0.0) continue;
+      picture.values(x, y) = static_cast<std::uint16_t>(picture.values(x, y) - 0.4 * (190 - y));
+    }
+  }
+  EXPECT_GT(intersection_over_union(segment_infrared(picture), truth()), 0.95);
+}
+
+CameraImage read(const std::filesystem::path& file) {
+  const cv::Mat read = cv::imread(file.string(), cv::IMREAD_ANYDEPTH | cv::IMREAD_GRAYSCALE);
+  CameraImage picture{Image<std::uint16_t>(read.cols, read.rows), read.depth() == CV_16U ? 16 : 8};
+  for (int y = 0; y < read.rows; ++y) {
+    for (int x = 0; x < read.cols; ++x) {
+      picture.values(x, y) =
+          picture.bits == 16 ? read.at<std::uint16_t>(y, x) : read.at<std::uint8_t>(y, x);
+    }
+  }
+  return picture;
+}
+
+double hand_area(const Silhouette& silhouette, const cv::Rect& box) {
+  double count = 0.0;
+  for (int y = box.y; y < box.y + box.height; ++y) {
+    for (int x = box.x; x < box.x + box.width; ++x) {
+      count += silhouette(x, y) == PixelLabel::hand ? 1.0 : 0.0;
+    }
+  }
+  return count;
+}
+
+// Two bare hands of about 2,500 pixels each; sleeves and a lap are warm as well.
+TEST(SegmentInfrared, FindsBothHandsOfThermalFramesAndLittleElse) {
+  const std::filesystem::path folder = std::filesystem::path(TEGATA_DATA_DIR) / "thermal_hands";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
+  const cv::Rect left(60, 105, 95, 95), right(185, 105, 90, 90);
+  for (int i = 1; i <= 16; ++i) {
+    const Silhouette found = segment_infrared(read(folder / (std::to_string(i) + "_raw.png")));
+    const double in_left = hand_area(found, left), in_right = hand_area(found, right);
+    EXPECT_GT(in_left, 2000.0) << i;
+    EXPECT_GT(in_right, 2000.0) << i;
+    EXPECT_LT(hand_area(found) - in_left - in_right, 0.03 * 320 * 256) << i;
+  }
+}
+
+// The hands of the thermal still hold a mug and a bottle.
+TEST(SegmentInfrared, CutsMugAndBottleOutOfTheHands) {
+  const std::filesystem::path folder = std::filesystem::path(TEGATA_DATA_DIR) / "thermal_hands";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
+  const Silhouette found = segment_infrared(read(folder / "thermal_hands.png"));
+  for (const auto& [x, y] : {std::array{118, 410}, std::array{400, 340}}) {
+    EXPECT_EQ(found(x, y), PixelLabel::hand) << x << ' ' << y;
+  }
+  for (const auto& [x, y] :
+       {std::array{168, 284}, std::array{244, 265}, std::array{315, 300}, std::array{320, 100}}) {
+    EXPECT_EQ(found(x, y), PixelLabel::background) << x << ' ' << y;
+  }
+}
+
+// Active infrared: skin darkens where it turns away from the lamp, where the depth still sees it.
+TEST(SegmentInfrared, FindsFistsWhereTheDepthSeesThem) {
+  const std::filesystem::path folder = std::filesystem::path(TEGATA_DATA_DIR) / "infrared_fists";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
+  const cv::Rect region(225, 180, 75, 90);
+  constexpr int kNear = 700;  // [mm]; what lies behind is beyond 900
+  std::vector<double> overlaps;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    std::string name = entry.path().filename().string();
+    const std::size_t at = name.find("ir_raw");
+    if (at == std::string::npos) continue;
+    const Silhouette found = segment_infrared(read(entry.path()));
+    const CameraImage depth = read(folder / name.replace(at, 2, "depth"));
+    double both = 0.0, either = 0.0;
+    for (int y = region.y; y < region.y + region.height; ++y) {
+      for (int x = region.x; x < region.x + region.width; ++x) {
+        const bool near = depth.values(x, y) > 0 && depth.values(x, y) < kNear;
+        const bool hand = found(x, y) == PixelLabel::hand;
+        both += near && hand ? 1.0 : 0.0;
+        either += near || hand ? 1.0 : 0.0;
+      }
+    }
+    overlaps.push_back(both / either);
+  }
+  ASSERT_EQ(overlaps.size(), 8u);
+  std::sort(overlaps.begin(), overlaps.end());
+  EXPECT_GT(overlaps[0], 0.78);
+  EXPECT_GT(0.5 * (overlaps[3] + overlaps[4]), 0.80);
 }
 
 TEST(SegmentInfrared, RefusesAnEmptyPicture) {

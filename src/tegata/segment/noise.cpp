@@ -12,10 +12,13 @@ namespace tegata {
 
 double pixel_noise(const Image<float>& image) {
   if (image.width() < 3 || image.height() < 3) return 0.0;
+  // So many say the median to two in a hundred.
+  constexpr double kEnough = 8000.0;
+  const int stride =
+      std::max(1, static_cast<int>(std::sqrt(static_cast<double>(image.pixel_count()) / kEnough)));
   std::vector<float> responses;
-  responses.reserve(image.pixel_count());
-  for (int y = 1; y + 1 < image.height(); ++y) {
-    for (int x = 1; x + 1 < image.width(); ++x) {
+  for (int y = 1; y + 1 < image.height(); y += stride) {
+    for (int x = 1; x + 1 < image.width(); x += stride) {
       const float corners =
           image(x - 1, y - 1) + image(x + 1, y - 1) + image(x - 1, y + 1) + image(x + 1, y + 1);
       const float sides = image(x, y - 1) + image(x - 1, y) + image(x + 1, y) + image(x, y + 1);

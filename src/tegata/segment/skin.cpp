@@ -148,8 +148,9 @@ Silhouette segment_skin(const CameraImage& picture, const SkinOptions& options,
     silhouette = select(colours, [&](const Tint& tint) { return skin.has(tint); });
     clean(silhouette, narrow);
   }
+  BorderReport border;
   for (int round = 0; round < 2; ++round) {
-    move_border_to_half_height(colours, kNoise, BorderOptions{}, silhouette);
+    border = move_border_to_half_height(colours, kNoise, BorderOptions{}, silhouette);
     clean(silhouette, 3);
     fill_pinholes(silhouette, kLargestPinhole);
   }
@@ -159,7 +160,9 @@ Silhouette segment_skin(const CameraImage& picture, const SkinOptions& options,
     silhouette = Silhouette(silhouette.width(), silhouette.height(), PixelLabel::background);
     hand_pixels = 0;
   }
-  if (report != nullptr) *report = {0.0, hand_pixels};
+  if (report != nullptr) {
+    *report = {0.0, hand_pixels, hand_pixels == 0 ? 0.0 : border.clear_share};
+  }
   return silhouette;
 }
 
