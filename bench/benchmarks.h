@@ -19,6 +19,8 @@ bool benchmark_closest_point();
 bool benchmark_hand();
 /// Silhouettes to 4,000 triangles, step by step.
 bool benchmark_chain();
+/// Three streams of pictures to undistorted silhouettes.
+bool benchmark_segmentation();
 /// How much memory the finest hulls take at their peak.
 bool benchmark_memory();
 

@@ -19,9 +19,13 @@ using namespace tegata::bench;
 
 constexpr std::pair<std::string_view, bool (*)()> kBenchmarks[] = {
     {"memory", benchmark_memory},  // first: it starts processes, before anything makes threads
-    {"hull", benchmark_hull},         {"isosurface", benchmark_isosurface},
-    {"simplify", benchmark_simplify}, {"closest_point", benchmark_closest_point},
-    {"hand", benchmark_hand},         {"chain", benchmark_chain}};
+    {"hull", benchmark_hull},
+    {"isosurface", benchmark_isosurface},
+    {"simplify", benchmark_simplify},
+    {"closest_point", benchmark_closest_point},
+    {"hand", benchmark_hand},
+    {"chain", benchmark_chain},
+    {"segmentation", benchmark_segmentation}};
 
 bool run(std::string_view name) {
   for (const auto& [known, benchmark] : kBenchmarks) {
