@@ -101,6 +101,26 @@ TEST_F(FormatsDocument, HullsSnippetHasTheKeysThatTheProgramWrites) {
   EXPECT_EQ(keys_of(frame["milliseconds"]), keys_of(example["milliseconds"]));
 }
 
+TEST_F(FormatsDocument, SilhouettesSnippetHasTheKeysThatTheProgramWrites) {
+  const std::string take = (folder_ / "take").string(), masks = (folder_ / "masks").string();
+  ASSERT_EQ(
+      run_program({"simulate", take, "--frames", "1", "--size", "320x240", "--quiet"}).exit_code,
+      0);
+  const ProgramRun run = run_program({"segment", take, "-o", masks, "--method", "infrared"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("a hand in 3 of 3 pictures"), std::string::npos) << run.out;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "masks" / "contact_sheet.png"));
+  const auto written = nlohmann::json::parse(read_text(folder_ / "masks" / "silhouettes.json"));
+  const auto described =
+      nlohmann::json::parse(snippet("json", "{\"format\": \"tegata-silhouettes\""));
+  EXPECT_EQ(keys_of(written), keys_of(described));
+  EXPECT_EQ(written["format"], described["format"]);
+  EXPECT_EQ(written["version"], described["version"]);
+  const auto &frame = written["frames"][0], &example = described["frames"][0];
+  EXPECT_EQ(keys_of(frame), keys_of(example));
+  EXPECT_EQ(keys_of(frame["views"]["camera_0"]), keys_of(example["views"]["left"]));
+}
+
 TEST_F(FormatsDocument, TruthSnippetIsRead) {
   const Truth truth = read_truth_json(file_of("json", "{\"format\": \"tegata-truth\""));
   ASSERT_EQ(truth.frames.size(), 1u);
