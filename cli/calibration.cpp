@@ -7,10 +7,10 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "command.h"
 #include "progress.h"
+#include "tegata/base/angle.h"
 #include "tegata/pipeline/check_calibration.h"
 #include "tegata/take/calibration_file.h"
 #include "tegata/take/calibration_import.h"
@@ -96,7 +96,6 @@ struct CheckArguments {
 };
 
 void print_check_json(const TakeCheck& check, const CameraRig& rig) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   nlohmann::ordered_json json;
   json["frames"] = check.frame_count;
   json["agrees"] = check.calibration.agrees();
@@ -107,7 +106,7 @@ void print_check_json(const TakeCheck& check, const CameraRig& rig) {
   for (const PairTangency& pair : check.calibration.pairs) {
     json["tangency"].push_back({{"cameras", {rig[pair.first].name, rig[pair.second].name}},
                                 {"tangents", pair.count},
-                                {"median_deg", pair.median * kDegrees}});
+                                {"median_deg", pair.median * kDegreesPerRadian}});
   }
   json["hull_coverage"] = check.hull_coverage;
   json["object_size"] = check.calibration.object_size;
@@ -115,13 +114,12 @@ void print_check_json(const TakeCheck& check, const CameraRig& rig) {
 }
 
 void print_check(const TakeCheck& check, const CameraRig& rig) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   std::cout << fmt::format("{} cameras, {} frames in which two or more saw the hand\n", rig.size(),
                            check.frame_count);
   for (const PairTangency& pair : check.calibration.pairs) {
     std::cout << fmt::format("  {} and {}: tangents agree to {:.2f} deg (median of {})\n",
-                             rig[pair.first].name, rig[pair.second].name, pair.median * kDegrees,
-                             pair.count);
+                             rig[pair.first].name, rig[pair.second].name,
+                             pair.median * kDegreesPerRadian, pair.count);
   }
   for (const auto& [camera, share] : check.hull_coverage) {
     std::cout << fmt::format("  {}: the visual hull covers {:.0f} % of the silhouette\n", camera,

@@ -83,9 +83,10 @@ void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod
 
 void add_grasp_option(CLI::App& command, std::string& grasp) {
   command
-      .add_option("--grasp", grasp,
-                  "fixed: one set of joint angles for all frames; soft: each frame's depart from it "
-                  "a little; free: one a frame")
+      .add_option(
+          "--grasp", grasp,
+          "fixed: one set of joint angles for all frames; soft: each frame's depart from it "
+          "a little; free: one a frame")
       ->check(CLI::IsMember({"fixed", "soft", "free"}))
       ->capture_default_str();
 }

@@ -5,15 +5,15 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "hand_command.h"
 #include "tegata/gltf/hand_gltf.h"
 
+#include "tegata/base/angle.h"
+
 namespace tegata {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr int kMiddleTip = 12, kIndexKnuckle = 5, kLittleKnuckle = 17;  // keypoints
 
 struct InfoArguments {
@@ -78,10 +78,11 @@ void print_text(const HandModel& hand, const MeshTopology& topology) {
   std::cout << fmt::format("\nangles [deg]            {:>6} {:>6} {:>6}\n", "lower", "upper",
                            "rest");
   for (int angle = 0; angle < kAngleCount; ++angle) {
-    std::cout << fmt::format(
-        "  {:<22}{:6.0f} {:6.0f} {:6.1f}\n", angle_names()[static_cast<std::size_t>(angle)],
-        angle_limits().lower[angle] * kDegrees, angle_limits().upper[angle] * kDegrees,
-        hand.rest_angles[angle] * kDegrees);
+    std::cout << fmt::format("  {:<22}{:6.0f} {:6.0f} {:6.1f}\n",
+                             angle_names()[static_cast<std::size_t>(angle)],
+                             angle_limits().lower[angle] * kDegreesPerRadian,
+                             angle_limits().upper[angle] * kDegreesPerRadian,
+                             hand.rest_angles[angle] * kDegreesPerRadian);
   }
 }
 

@@ -8,15 +8,13 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
-#include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/hand/built_in_hand.h"
 #include "tegata/hand/scaled_hand.h"
 
 namespace tegata {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 HandShape shape_of(const HandSource& source) {
   HandShape shape;

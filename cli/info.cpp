@@ -6,15 +6,14 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "command.h"
 #include "tegata/take/take.h"
 
+#include "tegata/base/angle.h"
+
 namespace tegata {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 struct Arguments {
   std::string folder;
@@ -87,7 +86,7 @@ nlohmann::ordered_json describe_result(const Result& result) {
   json["silhouette_iou"] = mean_overlaps(result);
   for (int i = 0; i < kAngleCount; ++i) {
     json["grasp_deg"][std::string(angle_names()[static_cast<std::size_t>(i)])] =
-        result.grasp_angles[i] * kDegrees;
+        result.grasp_angles[i] * kDegreesPerRadian;
   }
   json["termination"] = result.termination;
   return json;
@@ -103,9 +102,10 @@ void print_result(const Result& result) {
   std::cout << fmt::format("the fit ended with: {}\n", result.termination);
   std::cout << "grasp [deg], with standard deviations:\n";
   for (int i = 0; i < kAngleCount; ++i) {
-    std::cout << fmt::format(
-        "  {:<22} {:6.1f} +- {:.1f}\n", angle_names()[static_cast<std::size_t>(i)],
-        result.grasp_angles[i] * kDegrees, result.grasp_standard_deviations[i] * kDegrees);
+    std::cout << fmt::format("  {:<22} {:6.1f} +- {:.1f}\n",
+                             angle_names()[static_cast<std::size_t>(i)],
+                             result.grasp_angles[i] * kDegreesPerRadian,
+                             result.grasp_standard_deviations[i] * kDegreesPerRadian);
   }
 }
 

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "run_program.h"
+#include "tegata/base/angle.h"
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/hand/built_in_hand.h"
 #include "tegata/mesh/mesh_file.h"
@@ -21,8 +21,6 @@ namespace tegata {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 class HandCommand : public testing::Test {
  protected:

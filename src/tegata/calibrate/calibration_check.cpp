@@ -8,9 +8,9 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
-#include <numbers>
 #include <optional>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/text.h"
 #include "tegata/calibrate/calibration_suspicion.h"
 
@@ -18,7 +18,6 @@ namespace tegata {
 namespace {
 
 using Severity = CalibrationProblem::Severity;
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 std::string rounded(double value, int digits) {
   std::ostringstream stream;

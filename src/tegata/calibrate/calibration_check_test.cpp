@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/random.h"
 #include "tegata/base/text.h"
 #include "tegata/calibrate/calibration_suspicion.h"
@@ -18,8 +18,6 @@
 
 namespace tegata {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 // Cameras around the origin at about 0.8 m that look at it, none opposite another.
 CameraRig ring(std::size_t count) {

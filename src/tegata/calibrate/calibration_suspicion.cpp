@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
-#include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/text.h"
 #include "tegata/calibrate/tangency.h"
 #include "tegata/math/so3.h"
@@ -16,7 +16,6 @@
 namespace tegata {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 // Below it tangent planes agree as well as silhouettes of a real hand let them.
 constexpr double kAgreement = 1.2 * kDegree;
 // Where less is contradicted, only what explains nearly all of it is believed, and turns only from

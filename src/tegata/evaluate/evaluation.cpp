@@ -5,10 +5,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
 #include "tegata/evaluate/keypoint_error.h"
@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kMillimetres = 1000.0;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr std::size_t kMiddleMcp = 9;
 
 // The finger side is the positive one.
@@ -61,9 +60,10 @@ Evaluation::Frame compare_frame(const ResultFrame& fitted, const TruthFrame& tru
   frame.keypoint_root_relative_mm = kMillimetres * root_relative_keypoint_error(a, b);
   frame.keypoint_procrustes_mm = kMillimetres * procrustes_keypoint_error(a, b);
   if (truth.angles) {
-    frame.angle_error_deg = kDegrees * (fitted.pose->angles - *truth.angles).cwiseAbs().mean();
+    frame.angle_error_deg =
+        kDegreesPerRadian * (fitted.pose->angles - *truth.angles).cwiseAbs().mean();
   }
-  frame.flexion_error_deg = kDegrees * flexion_error(a, b);
+  frame.flexion_error_deg = kDegreesPerRadian * flexion_error(a, b);
   return frame;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "tegata/base/angle.h"
 #include "tegata/hand/built_in_hand.h"
 #include "tegata/mesh/mesh_file.h"
 #include "tegata/mesh/shapes_for_tests.h"
@@ -93,7 +94,7 @@ TEST_F(EvaluationTest, AShiftOfOneFrameShowsInMeanMedianAndWorst) {
 
 TEST_F(EvaluationTest, OneAngleOffByTwentyDegreesIsOneInTheMeanOfTwenty) {
   HandPose bent = some_pose();
-  bent.angles[6] += 20.0 * std::numbers::pi / 180.0;  // index PIP
+  bent.angles[6] += 20.0 * kDegree;  // index PIP
   put_pose(result_.frames[0], bent);
   const Evaluation evaluation = evaluate();
   EXPECT_NEAR(*evaluation.frames[0].angle_error_deg, 1.0, 1e-9);

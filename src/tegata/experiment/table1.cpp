@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <mutex>
-#include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
 #include "tegata/base/text.h"
@@ -21,7 +21,6 @@ namespace tegata {
 namespace {
 
 namespace fs = std::filesystem;
-
 
 // A take, prepared, and what is known of it.
 struct KnownTake {
@@ -68,7 +67,7 @@ FitError error_of(const HandModel& hand, const std::vector<HandPose>& poses,
                                       {along, truth.keypoints[kWrist]}) /
                         count;
     error.angle_deg +=
-        180.0 / std::numbers::pi * (poses[k].angles - *truth.angles).cwiseAbs().mean() / count;
+        kDegreesPerRadian * (poses[k].angles - *truth.angles).cwiseAbs().mean() / count;
   }
   return error;
 }

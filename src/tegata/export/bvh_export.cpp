@@ -5,25 +5,24 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/export/exported_frames.h"
 
 namespace tegata {
 namespace {
 
 constexpr double kCentimetres = 100.0;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr int kDecimals = 6;
 
 // The middle one of the three is about the y of the hand, along the fingers, which hardly twist: so
 // no finger comes near a quarter turn of it, where the other two could not be told apart.
 constexpr std::string_view kRotations = "Zrotation Yrotation Xrotation";
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
+std::size_t joint_index(int i) { return static_cast<std::size_t>(i); }
 
 std::string indented(int depth, const std::string& line) {
-  return std::string(2 * index(depth), ' ') + line + "\n";
+  return std::string(2 * joint_index(depth), ' ') + line + "\n";
 }
 
 std::string offset(const Eigen::Vector3d& way) {
@@ -39,14 +38,14 @@ std::string digit_joints(const Skeleton& skeleton, int digit) {
   for (int i = 0; i < 3; ++i) {
     const int above = i == 0 ? 0 : first + i - 1;
     const Eigen::Vector3d way =
-        skeleton.keypoints[index(first + i)] - skeleton.keypoints[index(above)];
-    block += indented(i + 1, fmt::format("JOINT {}", keypoint_names()[index(first + i)]));
+        skeleton.keypoints[joint_index(first + i)] - skeleton.keypoints[joint_index(above)];
+    block += indented(i + 1, fmt::format("JOINT {}", keypoint_names()[joint_index(first + i)]));
     block += indented(i + 1, "{");
     block += indented(i + 2, offset(way));
     block += indented(i + 2, fmt::format("CHANNELS 3 {}", kRotations));
   }
   const Eigen::Vector3d way =
-      skeleton.keypoints[index(first + 3)] - skeleton.keypoints[index(first + 2)];
+      skeleton.keypoints[joint_index(first + 3)] - skeleton.keypoints[joint_index(first + 2)];
   block += indented(4, "End Site") + indented(4, "{") + indented(5, offset(way));
   for (int depth = 4; depth > 0; --depth) block += indented(depth, "}");
   return block;
@@ -79,12 +78,12 @@ std::string bvh_text(const Result& result, const HandModel& hand) {
     // Keypoints and bones are in the same order, from the wrist and the palm outwards.
     for (int bone = 0; bone < kBoneCount; ++bone) {
       const Eigen::Quaterniond turn =
-          bone == 0
-              ? y_up_from_hand.rotation
-              : bones[index(parent_bone(bone))].rotation.conjugate() * bones[index(bone)].rotation;
-      angles[index(bone)] = zyx_angles(turn, angles[index(bone)]);
+          bone == 0 ? y_up_from_hand.rotation
+                    : bones[joint_index(parent_bone(bone))].rotation.conjugate() *
+                          bones[joint_index(bone)].rotation;
+      angles[joint_index(bone)] = zyx_angles(turn, angles[joint_index(bone)]);
       for (int i = 0; i < 3; ++i) {
-        line += decimal(kDegrees * angles[index(bone)][i], kDecimals) + " ";
+        line += decimal(kDegreesPerRadian * angles[joint_index(bone)][i], kDecimals) + " ";
       }
     }
     line.back() = '\n';

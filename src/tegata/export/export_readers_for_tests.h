@@ -18,6 +18,8 @@
 
 #include "tegata/take/result.h"
 
+#include "tegata/base/angle.h"
+
 namespace tegata {
 
 /// Empty where a frame has no pose.
@@ -134,7 +136,6 @@ inline std::vector<NamedPoints> trc_keypoints(const std::string& text) {
 
 /// A MOT has no bones: they are the hand's.
 inline std::vector<NamedPoints> mot_keypoints(const std::string& text, const Skeleton& skeleton) {
-  constexpr double kDegree = std::numbers::pi / 180.0;
   std::istringstream stream(text);
   std::string line;
   while (std::getline(stream, line) && line != "endheader") continue;
@@ -216,7 +217,7 @@ inline std::vector<NamedPoints> bvh_keypoints(const std::string& text) {
         if (channel.ends_with("position")) {
           local = local * Eigen::Translation3d(number * axis);
         } else {
-          local = local * Eigen::AngleAxisd(number * std::numbers::pi / 180.0, axis);
+          local = local * Eigen::AngleAxisd(number * kDegree, axis);
         }
       }
       world.push_back(joint.parent < 0 ? local

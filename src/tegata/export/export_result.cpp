@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 #include "tegata/export/bvh_export.h"
 #include "tegata/export/csv_export.h"
@@ -60,7 +60,7 @@ std::vector<std::string> notes_of_urdf(const Result& result) {
   for (int angle = 0; angle < kAngleCount; ++angle) {
     if (beyond[angle] <= kTolerance) continue;
     notes.push_back(text(angle_names()[static_cast<std::size_t>(angle)], " is up to ",
-                         decimal(beyond[angle] * 180.0 / std::numbers::pi, 1),
+                         decimal(beyond[angle] * kDegreesPerRadian, 1),
                          " deg beyond its limits in joint_states.csv"));
   }
   return notes;

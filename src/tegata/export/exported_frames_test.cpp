@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "tegata/base/angle.h"
 #include "tegata/base/random.h"
 #include "tegata/export/moving_result_for_tests.h"
 #include "tegata/math/so3.h"
@@ -13,8 +12,6 @@
 
 namespace tegata {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 Eigen::Quaterniond from_zyx(const Eigen::Vector3d& angles) {
   return Eigen::AngleAxisd(angles[0], Eigen::Vector3d::UnitZ()) *

@@ -6,17 +6,16 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "tegata/base/angle.h"
 #include "tegata/export/frame_doubts.h"
 
 namespace tegata {
 namespace {
 
 constexpr std::size_t kMostDoubts = 5;  // lines
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Frames in a row with the same thing against them.
 struct DoubtfulRun {
@@ -90,7 +89,7 @@ std::string unsure_angles(const Result& result) {
   constexpr std::size_t kMost = 3;
   std::vector<std::pair<double, std::string_view>> angles;
   for (int i = 0; i < kAngleCount; ++i) {
-    const double deviation = kDegrees * result.grasp_standard_deviations[i];
+    const double deviation = kDegreesPerRadian * result.grasp_standard_deviations[i];
     if (deviation > kSure) {
       angles.emplace_back(deviation, angle_names()[static_cast<std::size_t>(i)]);
     }

@@ -4,15 +4,13 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
+#include "tegata/base/angle.h"
 #include "tegata/export/exported_frames.h"
 
 namespace tegata {
 namespace {
 
 constexpr double kMillimetres = 1000.0;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr int kPoseColumns = 6;
 
 /// A name that holds no tab or line break, which would end a cell.
@@ -74,9 +72,10 @@ std::string mot_text(const Result& result) {
     turn = zyx_angles(y_up_from_hand.rotation, turn);
     for (int i = 0; i < 3; ++i)
       file += fmt::format("\t{}", decimal(y_up_from_hand.translation[i], 8));
-    for (int i = 0; i < 3; ++i) file += fmt::format("\t{}", decimal(kDegrees * turn[i], 6));
+    for (int i = 0; i < 3; ++i)
+      file += fmt::format("\t{}", decimal(kDegreesPerRadian * turn[i], 6));
     for (int i = 0; i < kAngleCount; ++i) {
-      file += fmt::format("\t{}", decimal(kDegrees * frame.pose->angles[i], 6));
+      file += fmt::format("\t{}", decimal(kDegreesPerRadian * frame.pose->angles[i], 6));
     }
     file += "\n";
   }

@@ -22,9 +22,10 @@
 namespace tegata {
 namespace {
 
-constexpr int kWidest = 640;               // of a picture in the page [px]
-constexpr double kMargin = 0.35;           // around the hand, of its size
-constexpr double kLeastOverlap = 0.5;      // below, what matters may lie elsewhere in the picture
+constexpr int kWidest = 640;      // of a picture in the page [px]
+constexpr double kMargin = 0.35;  // around the hand, of its size
+constexpr double kLeastPictureOverlap =
+    0.5;                                   // below, what matters may lie elsewhere in the picture
 constexpr double kOutlineTolerance = 0.4;  // [px of the page's picture]
 constexpr int kMostReduction = 16;
 constexpr std::array<int, 2> kJpegQualities = {75, 60};
@@ -71,7 +72,7 @@ PictureWindow window_around_hand(const Camera& camera, const Result& result,
   for (const ResultFrame& frame : result.frames) {
     if (!frame.pose) continue;
     const auto overlap = frame.silhouette_iou.find(camera.name);
-    if (overlap == frame.silhouette_iou.end() || overlap->second < kLeastOverlap) {
+    if (overlap == frame.silhouette_iou.end() || overlap->second < kLeastPictureOverlap) {
       return whole(camera);
     }
     const PosedHand posed(hand, *frame.pose);

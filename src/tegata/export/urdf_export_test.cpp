@@ -24,7 +24,7 @@ std::map<std::string, std::string> exported(const Result& result, const HandMode
   return files;
 }
 
-const HandModel& coarse_hand() {
+const HandModel& urdf_hand() {
   static const HandModel hand =
       built_in_hand({}, Side::left, {.cell_size = 0.004, .triangle_count = 1500});
   return hand;
@@ -50,7 +50,7 @@ TEST(UrdfExport, JointsPutTheLinksWhereTheResultHasTheKeypoints) {
 }
 
 TEST(UrdfExport, JointsHaveNamesAndLimitsOfTheAngles) {
-  const auto files = exported(moving_result(coarse_hand()), coarse_hand());
+  const auto files = exported(moving_result(urdf_hand()), urdf_hand());
   std::size_t angle = 0;
   for (const UrdfJoint& joint : urdf_joints(files.at("hand.urdf"))) {
     if (joint.type == "fixed") continue;
@@ -64,13 +64,13 @@ TEST(UrdfExport, JointsHaveNamesAndLimitsOfTheAngles) {
 }
 
 TEST(UrdfExport, MassIsThatOfTheHandsVolume) {
-  const auto files = exported(moving_result(coarse_hand()), coarse_hand());
+  const auto files = exported(moving_result(urdf_hand()), urdf_hand());
   double mass = 0.0;
   for (const double part : values_of(files.at("hand.urdf"), "mass value")) {
     EXPECT_GT(part, 0.0);
     mass += part;
   }
-  const double volume = enclosed_volume(coarse_hand().rest_surface);
+  const double volume = enclosed_volume(urdf_hand().rest_surface);
   EXPECT_NEAR(mass, kDensity * volume, 1e-6);
   // No solid has a moment greater than the sum of the other two.
   const auto xx = values_of(files.at("hand.urdf"), "ixx"),
@@ -84,7 +84,7 @@ TEST(UrdfExport, MassIsThatOfTheHandsVolume) {
 }
 
 TEST(UrdfExport, EveryMeshIsThereAndIsAnStl) {
-  const auto files = exported(moving_result(coarse_hand()), coarse_hand());
+  const auto files = exported(moving_result(urdf_hand()), urdf_hand());
   const std::string& urdf = files.at("hand.urdf");
   const std::regex pattern("mesh filename=\"([^\"]*)\"");
   std::set<std::string> names;
@@ -103,7 +103,7 @@ TEST(UrdfExport, EveryMeshIsThereAndIsAnStl) {
 }
 
 TEST(UrdfExport, MeshesLieInTheirLinks) {
-  const auto files = exported(moving_result(coarse_hand()), coarse_hand());
+  const auto files = exported(moving_result(urdf_hand()), urdf_hand());
   // The first bone of the index finger begins at its link's origin and goes along the finger.
   const std::string& stl = files.at("meshes/index_proximal.stl");
   Eigen::AlignedBox3f box;

@@ -21,8 +21,8 @@ constexpr double kFollowedEnergyRatio = 1.2;
 constexpr double kLostEnergyRatio = 2.0;
 // From the normal equations' deviations to true ones: neighbouring residuals are not independent.
 // Chosen with hands of known shape on 15 simulated takes (three grasps, three infrared cameras, ten
-// frames): with 0.6, 55 % of the true angles lay within one. A hand of another shape than the fitted
-// one is farther off than this says.
+// frames): with 0.6, 55 % of the true angles lay within one. A hand of another shape than the
+// fitted one is farther off than this says.
 constexpr double kDeviationScale = 0.8;
 // How far the angles may leave what is known of them [rad], stage by stage: a turning hand is first
 // followed nearly stiff, as nothing else moves the fingers' surfaces as far.

@@ -10,14 +10,14 @@
 namespace tegata {
 namespace {
 
-struct Scene {
+struct GraspScene {
   std::vector<HandPose> truth;
   std::vector<FitFrame> frames;
   std::vector<const FitFrame*> pointers;
 };
 
-Scene turning_hand(int count) {
-  Scene scene;
+GraspScene turning_grasp(int count) {
+  GraspScene scene;
   for (int f = 0; f < count; ++f) {
     scene.truth.push_back(test::grasping_pose(0.25 * f));
     scene.frames.push_back(
@@ -35,7 +35,7 @@ StartLandmarks rough_landmarks(const HandPose& truth) {
 }
 
 TEST(GraspFit, FollowsATurningHandFromRoughLandmarks) {
-  Scene scene = turning_hand(3);
+  GraspScene scene = turning_grasp(3);
   const HandModel& hand = test::coarse_hand();
   scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
   GraspFitOptions options;
@@ -50,7 +50,7 @@ TEST(GraspFit, FollowsATurningHandFromRoughLandmarks) {
 }
 
 TEST(GraspFit, FramesThatDoNotMakeTheGraspHaveTheirPosesByIt) {
-  Scene scene = turning_hand(3);
+  GraspScene scene = turning_grasp(3);
   const HandModel& hand = test::coarse_hand();
   scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
   GraspFitOptions options;
@@ -65,7 +65,7 @@ TEST(GraspFit, FramesThatDoNotMakeTheGraspHaveTheirPosesByIt) {
 }
 
 TEST(GraspFit, FreeFramesKeepAnglesOfTheirOwn) {
-  Scene scene = turning_hand(2);
+  GraspScene scene = turning_grasp(2);
   const HandModel& hand = test::coarse_hand();
   scene.truth[1].angles[5] += 0.3;
   scene.frames[1] = test::perfect_frame(hand, scene.truth[1], test::orthogonal_rig(0.8));

@@ -40,7 +40,7 @@ TriangleMesh ball(const Eigen::Vector3d& center, double radius) {
   return mesh;
 }
 
-struct Scene {
+struct HidingScene {
   std::vector<FitFrame> frames;
   std::vector<const FitFrame*> pointers;
   HandEstimate truth;
@@ -48,9 +48,9 @@ struct Scene {
 
 // A hand that turns in steps of 18 degrees, about no camera's axis; where a ball of this radius
 // stands before it, it is not seen.
-Scene scene_with_ball(double radius) {
+HidingScene scene_with_ball(double radius) {
   const HandModel& hand = test::coarse_hand();
-  Scene scene;
+  HidingScene scene;
   scene.truth.angles = test::grasping_pose(0.0).angles;
   for (int f = 0; f < 10; ++f) {
     HandPose pose = test::grasping_pose(0.0);
@@ -79,7 +79,7 @@ Scene scene_with_ball(double radius) {
 
 TEST(HiddenObject, IsFoundWhereItHidesTheHand) {
   const FitHand hand(test::coarse_hand());
-  const Scene scene = scene_with_ball(kRadius);
+  const HidingScene scene = scene_with_ball(kRadius);
   const HiddenObject object = find_hidden_object(hand, scene.pointers, scene.truth, {}, 0);
   ASSERT_FALSE(object.surface.triangles.empty());
   ASSERT_EQ(object.confidence.size(), object.surface.vertices.size());
@@ -94,7 +94,7 @@ TEST(HiddenObject, IsFoundWhereItHidesTheHand) {
 
 TEST(HiddenObject, WhereNothingHidesTheHandThereIsNone) {
   const FitHand hand(test::coarse_hand());
-  const Scene scene = scene_with_ball(1e-6);
+  const HidingScene scene = scene_with_ball(1e-6);
   const HiddenObject object =
       find_hidden_object(hand, scene.pointers, scene.truth, {.voxel_size = 0.006}, 0);
   EXPECT_TRUE(object.surface.triangles.empty());
@@ -102,7 +102,7 @@ TEST(HiddenObject, WhereNothingHidesTheHandThereIsNone) {
 
 TEST(HiddenObject, TheNumberOfThreadsChangesNothing) {
   const FitHand hand(test::coarse_hand());
-  const Scene scene = scene_with_ball(kRadius);
+  const HidingScene scene = scene_with_ball(kRadius);
   const std::span<const FitFrame* const> few = std::span(scene.pointers).first(4);
   const HiddenObjectOptions coarse{.voxel_size = 0.008};
   const HiddenObject one = find_hidden_object(hand, few, scene.truth, coarse, 1);
@@ -113,7 +113,7 @@ TEST(HiddenObject, TheNumberOfThreadsChangesNothing) {
 
 TEST(HiddenObject, OnlyWhatLiesBehindItIsHidden) {
   const FitHand hand(test::coarse_hand());
-  const Scene scene = scene_with_ball(kRadius);
+  const HidingScene scene = scene_with_ball(kRadius);
   HiddenObject object;
   object.surface = ball(kBall, kRadius);
   const std::vector<FitFrame> frames =

@@ -24,8 +24,8 @@ StartLandmarks landmarks_of(const HandModel& hand, const HandPose& pose) {
 }
 
 // Hands that turn, their very surfaces for hulls, the first with landmarks that are a little off.
-struct Scene {
-  explicit Scene(std::size_t count) {
+struct PaperScene {
+  explicit PaperScene(std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
       truth.push_back(test::grasping_pose(0.15 * static_cast<double>(k)));
     }
@@ -52,7 +52,7 @@ PaperFitOptions short_options(int threads = 0) {
 }
 
 TEST(PaperEnergy, SlopesAreThoseOfTheEnergy) {
-  const Scene scene(1);
+  const PaperScene scene(1);
   const HandPose pose = displaced(scene.truth[0], 0.004, 0.06, 0.1);
   const PaperEnergy energy{scene.fit_hand, scene.frames[0], 0.01};
   const auto by_pose = [&](const Eigen::VectorXd& step) {
@@ -73,14 +73,14 @@ TEST(PaperEnergy, SlopesAreThoseOfTheEnergy) {
 }
 
 TEST(PaperFit, FindsASlightlyDisplacedHandAgain) {
-  const Scene scene(1);
+  const PaperScene scene(1);
   const PaperFit fit = fit_paper(scene.fit_hand, scene.frames, short_options(), {});
   EXPECT_LT(test::mean_keypoint_distance(scene.hand, fit.poses[0], scene.truth[0]), 0.004);
   for (const double weight : fit.weights[0]) EXPECT_GT(weight, 0.7);
 }
 
 TEST(PaperFit, AllFramesShareOneSetOfAngles) {
-  const Scene scene(2);
+  const PaperScene scene(2);
   const PaperFit fit = fit_paper(scene.fit_hand, scene.frames, short_options(), {});
   ASSERT_EQ(fit.poses.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -95,7 +95,7 @@ TEST(PaperFit, AllFramesShareOneSetOfAngles) {
 }
 
 TEST(PaperFit, DoesNotDependOnTheNumberOfThreads) {
-  const Scene scene(2);
+  const PaperScene scene(2);
   const PaperFit a = fit_paper(scene.fit_hand, scene.frames, short_options(1), {});
   const PaperFit b = fit_paper(scene.fit_hand, scene.frames, short_options(2), {});
   EXPECT_EQ(a.angles, b.angles);
@@ -103,7 +103,7 @@ TEST(PaperFit, DoesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(PaperFit, StaysWithinTheJointLimits) {
-  const Scene scene(1);
+  const PaperScene scene(1);
   const PaperFit fit = fit_paper(scene.fit_hand, scene.frames, short_options(), {});
   for (const HandPose& pose : fit.single_poses) {
     EXPECT_TRUE((pose.angles.array() <= angle_limits().upper.array()).all());
@@ -112,7 +112,7 @@ TEST(PaperFit, StaysWithinTheJointLimits) {
 }
 
 TEST(PaperFit, RefusesNoFrames) {
-  const Scene scene(1);
+  const PaperScene scene(1);
   EXPECT_THROW(fit_paper(scene.fit_hand, {}, {}, {}), Error);
 }
 

@@ -20,7 +20,7 @@ const ShapedHand& shapes() {
 }
 
 /// Somebody's hand in some takes: frames, and the estimates of a hand of the mean shape.
-struct Scene {
+struct ShapeScene {
   ShapeParameters truth;
   HandModel model;
   std::vector<std::vector<HandPose>> poses;
@@ -28,8 +28,8 @@ struct Scene {
   std::vector<GraspFrames> grasps;
 };
 
-Scene make_scene(const ShapeParameters& truth, std::size_t takes, std::size_t frames) {
-  Scene scene{truth, shapes().model(shape_from_parameters(truth)), {}, {}, {}};
+ShapeScene make_scene(const ShapeParameters& truth, std::size_t takes, std::size_t frames) {
+  ShapeScene scene{truth, shapes().model(shape_from_parameters(truth)), {}, {}, {}};
   for (std::size_t t = 0; t < takes; ++t) {
     scene.poses.emplace_back();
     scene.frames.emplace_back();
@@ -58,7 +58,7 @@ TEST(ShapeFit, ScaleOfAnyHandIsFoundWithPosesAndAngles) {
   for (const double scale : {0.88, 1.1}) {
     ShapeParameters truth = shape_prior().mean;
     truth[0] *= scale;
-    Scene scene = make_scene(truth, 1, 3);
+    ShapeScene scene = make_scene(truth, 1, 3);
     const ScaleFit fit = fit_scale(mean, 1.0, scene.grasps);
     EXPECT_NEAR(fit.scale, scale, 0.01);
     EXPECT_GT(fit.standard_deviation, 0.0);
@@ -77,7 +77,7 @@ TEST(ShapeFit, AKnownShapeIsRecoveredFromTwoGrasps) {
   for (int i = 0; i < kShapeParameterCount; ++i) {
     truth[i] += (i % 2 == 0 ? 1.0 : -1.0) * shape_prior().deviation[i];
   }
-  Scene scene = make_scene(truth, 2, 3);
+  ShapeScene scene = make_scene(truth, 2, 3);
   const ShapeFit fit = fit_shape(shapes(), shape_prior().mean, scene.grasps);
   // Every bone's length and the hand's breadth, in metres.
   const ShapeDrivers found = drivers_of_shape(shape_from_parameters(fit.shape));
@@ -99,7 +99,7 @@ TEST(ShapeFit, AKnownShapeIsRecoveredFromTwoGrasps) {
 }
 
 TEST(ShapeFit, WhatNoPictureTellsStaysAtThePrior) {
-  Scene scene = make_scene(shape_prior().mean, 1, 1);
+  ShapeScene scene = make_scene(shape_prior().mean, 1, 1);
   scene.frames[0][0].views.clear();
   scene.frames[0][0].hull.reset();
   const ShapeFit fit = fit_shape(shapes(), shape_prior().mean, scene.grasps);
@@ -108,7 +108,7 @@ TEST(ShapeFit, WhatNoPictureTellsStaysAtThePrior) {
 }
 
 TEST(ShapeFit, TheNumberOfThreadsChangesNothing) {
-  Scene one = make_scene(shape_prior().mean, 1, 2), two = make_scene(shape_prior().mean, 1, 2);
+  ShapeScene one = make_scene(shape_prior().mean, 1, 2), two = make_scene(shape_prior().mean, 1, 2);
   ShapeFitOptions options;
   options.shape.stages.front().most_iterations = 2;
   options.shape.stages.resize(1);

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 #include "tegata/math/so3.h"
 
@@ -21,7 +22,7 @@ JointAngles angles_of(const std::array<double, 4>& thumb, const std::array<doubl
   for (int digit = 1; digit < kDigitCount; ++digit) {
     for (int k = 0; k < 3; ++k) angles[4 * digit + 1 + k] = flexion[static_cast<std::size_t>(k)];
   }
-  return angles * (std::numbers::pi / 180.0);
+  return angles * kDegree;
 }
 
 constexpr double kHandLength = 0.18;  // of a hand of scale 1, wrist to the middle fingertip [m]

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <set>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 #include "tegata/hand/hand_solid.h"
 #include "tegata/hand/test_hand.h"
@@ -141,13 +141,13 @@ TEST(BuiltInHand, FingersKeepTheirVolumeAtTheirLimits) {
 TEST(BuiltInHand, ThumbKeepsItsVolumeWhenItOpposes) {
   JointAngles angles = JointAngles::Zero();
   const double flat_volume = digit_volume(0, angles).solid;
-  angles[0] = 45.0 * std::numbers::pi / 180.0;
+  angles[0] = 45.0 * kDegree;
   angles[1] = angle_limits().upper[1];
   EXPECT_NEAR(digit_volume(0, angles).solid / flat_volume, 1.0, 0.1);
 }
 
 TEST(BuiltInHand, FingerBentBeyondItsLimitDoesNotCollapse) {
-  constexpr double kBend = 110.0 * std::numbers::pi / 180.0;
+  constexpr double kBend = 110.0 * kDegree;
   for (int digit = 1; digit < kDigitCount; ++digit) {
     JointAngles angles = JointAngles::Zero();
     const double flat_volume = digit_volume(digit, angles).solid;
@@ -187,7 +187,7 @@ TEST(BuiltInHand, FistCrossesItselfOnlyWhereFingersPressAgainstEachOther) {
       0.0, 76.0, 96.0, 52.0,        // middle
       0.0, 76.0, 96.0, 52.0,        // ring
       3.0, 76.0, 96.0, 52.0;        // little
-  angles *= std::numbers::pi / 180.0;
+  angles *= kDegree;
   const TriangleMesh surface = PosedHand(fine_hand(), HandPose{{}, angles}).surface();
   const test::WindingVolume whole = test::winding_volume(surface, 0.0006);
   double pressed = 0.0;

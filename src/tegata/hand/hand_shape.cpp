@@ -14,12 +14,11 @@
 #include <numbers>
 #include <string_view>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 
 namespace tegata {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 struct DigitProportions {
   double across, along;  // first joint from the wrist: radial x breadth, distal x length

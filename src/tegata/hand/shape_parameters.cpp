@@ -10,9 +10,7 @@ namespace {
 // Where parameters begin.
 constexpr int kLength = 0, kPalmBreadth = 1, kPalmThickness = 2, kPalmLength = 3,
               kFingerThickness = 4, kDigitThickness = 5, kBoneLengths = 10;
-// Where drivers begin.
-constexpr int kBoneDrivers = 0, kDigitDrivers = kBoneCount - 1,
-              kPalmDrivers = kDigitDrivers + kDigitCount, kForearmDriver = kPalmDrivers + 3;
+constexpr int kBoneDrivers = 0;
 
 // Standard deviations. Length: women and men of Gordon et al. 1989 (180.5 and 193.8 mm, 9.7 and 9.8
 // within each sex) as one population. The others are of ratios. Palm breadth: the same survey's

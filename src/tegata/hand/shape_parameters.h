@@ -39,6 +39,9 @@ ShapeParameters parameters_of_shape(const HandShape& shape);
 /// bones [m], 5 digits' factors on radii, the palm's factors in x, y and z, the forearm's in y. The
 /// surface and the joints of the built-in hand are linear in them (shaped_hand.h).
 inline constexpr int kShapeDriverCount = kBoneCount - 1 + kDigitCount + 3 + 1;
+/// Where in them they begin; the bones come first.
+inline constexpr int kDigitDrivers = kBoneCount - 1, kPalmDrivers = kDigitDrivers + kDigitCount,
+                     kForearmDriver = kPalmDrivers + 3;
 using ShapeDrivers = Eigen::Matrix<double, kShapeDriverCount, 1>;
 ShapeDrivers drivers_of_shape(const HandShape& shape);
 /// d drivers / d parameters at a shape whose forearm goes with its length.

@@ -14,11 +14,6 @@ namespace {
 
 using DriverJacobian = Eigen::Matrix<double, 3, kShapeDriverCount>;
 
-// Where drivers begin (shape_parameters.h).
-constexpr int kDigitDrivers = kBoneCount - 1;
-constexpr int kPalmDrivers = kDigitDrivers + kDigitCount;
-constexpr int kForearmDriver = kPalmDrivers + 3;
-
 constexpr int kSmoothingRounds = 2;  // of links
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }

@@ -20,7 +20,7 @@ const ShapedHand& coarse(Side side) {
   return side == Side::right ? right : left;
 }
 
-ShapeParameters random_parameters(std::uint64_t seed) {
+ShapeParameters random_shape_parameters(std::uint64_t seed) {
   Random random(seed);
   ShapeParameters parameters = shape_prior().mean;
   for (int i = 0; i < kShapeParameterCount; ++i) {
@@ -41,7 +41,7 @@ Eigen::VectorXd stacked(const std::vector<Eigen::Vector3d>& vertices,
 
 TEST(ShapedHand, BasisIsTheDerivativeOfRestSurfaceAndJoints) {
   for (const Side side : {Side::right, Side::left}) {
-    const ShapeParameters at = random_parameters(side == Side::right ? 1 : 2);
+    const ShapeParameters at = random_shape_parameters(side == Side::right ? 1 : 2);
     const Eigen::MatrixXd numeric = finite_difference_jacobian(
         [&](const Eigen::VectorXd& x) {
           const HandModel model = coarse(side).model(shape_from_parameters(x));
@@ -63,7 +63,7 @@ TEST(ShapedHand, BasisIsTheDerivativeOfRestSurfaceAndJoints) {
 
 TEST(PosedShape, JacobianIsTheDerivativeOfThePosedSurfaceAndJoints) {
   for (const Side side : {Side::right, Side::left}) {
-    const ShapeParameters at = random_parameters(side == Side::right ? 3 : 4);
+    const ShapeParameters at = random_shape_parameters(side == Side::right ? 3 : 4);
     const HandPose pose{{so3_exp({0.4, -1.0, 0.7}), {0.1, -0.2, 0.9}}, random_angles(5)};
     const Eigen::MatrixXd numeric = finite_difference_jacobian(
         [&](const Eigen::VectorXd& x) {
@@ -99,7 +99,7 @@ TEST(ShapedHand, TrianglesAndLinksDoNotChangeWithTheShape) {
 }
 
 TEST(ShapedHand, ScaleScalesEveryVertex) {
-  ShapeParameters parameters = random_parameters(6);
+  ShapeParameters parameters = random_shape_parameters(6);
   const HandModel small = coarse(Side::right).model(shape_from_parameters(parameters));
   parameters[0] *= 1.07;
   const HandModel large = coarse(Side::right).model(shape_from_parameters(parameters));
@@ -135,7 +135,8 @@ TEST(ShapedHand, ADigitsSizesMoveNoOther) {
 TEST(ShapedHand, HandsOfAllPeopleKeepTheirSurfaceRightSideOut) {
   for (const HandShape& shape :
        {HandShape::percentile(1, Sex::female), HandShape::percentile(99, Sex::male),
-        shape_from_parameters(random_parameters(7)), shape_from_parameters(random_parameters(8))}) {
+        shape_from_parameters(random_shape_parameters(7)),
+        shape_from_parameters(random_shape_parameters(8))}) {
     const HandModel mean = built_in_hand(HandShape(), Side::right);
     const HandModel model = built_in_hand(shape, Side::right);
     const TriangleMesh& surface = model.rest_surface;

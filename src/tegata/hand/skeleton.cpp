@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/hand/skeleton.h"
 
-#include <numbers>
+#include "tegata/base/angle.h"
 
 namespace tegata {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 struct Range {
   double lower, upper;  // [deg]

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <string>
 
+#include "tegata/base/angle.h"
 #include "tegata/hand/test_hand.h"
 
 namespace tegata {
@@ -143,7 +143,7 @@ TEST(AngleLimits, HoldTheFlatAndTheRelaxedHand) {
   EXPECT_TRUE((limits.lower.array() <= 0.0).all() && (limits.upper.array() >= 0.0).all());
   EXPECT_TRUE((limits.lower.array() < relaxed_angles().array()).all());
   EXPECT_TRUE((limits.upper.array() > relaxed_angles().array()).all());
-  EXPECT_LT(limits.upper.maxCoeff(), 110.0 * std::numbers::pi / 180.0) << "degrees for radians";
+  EXPECT_LT(limits.upper.maxCoeff(), 110.0 * kDegree) << "degrees for radians";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 using scenes::ball_silhouette;
 using scenes::views_of_ball;
 
-const Eigen::Vector3d kCenter(0.21, -0.13, 0.78);
+const Eigen::Vector3d kKnownCenter(0.21, -0.13, 0.78);
 constexpr double kBallRadius = 0.05;
 const Eigen::Vector3d kHalfBox(0.045, 0.03, 0.02);
 
@@ -28,14 +28,15 @@ using IsInside = std::function<bool(const HullView& view, const Eigen::Vector3d&
 
 bool is_before_ball(const HullView& view, const Eigen::Vector3d& point) {
   const Eigen::Vector3d eye = view.camera.center_in_world();
-  return (point - eye).normalized().cross(kCenter - eye).norm() < kBallRadius;
+  return (point - eye).normalized().cross(kKnownCenter - eye).norm() < kBallRadius;
 }
 
 TriangleMesh box_mesh() {
   TriangleMesh box;
   for (int i = 0; i < 8; ++i) {
-    box.vertices.push_back(kCenter + kHalfBox.cwiseProduct(Eigen::Vector3d(
-                                         (i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1)));
+    box.vertices.push_back(kKnownCenter +
+                           kHalfBox.cwiseProduct(Eigen::Vector3d(
+                               (i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1)));
   }
   box.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                    {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
@@ -44,7 +45,7 @@ TriangleMesh box_mesh() {
 
 // Whether the ray from the camera through a point meets the box (Kay and Kajiya 1986).
 bool is_before_box(const HullView& view, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d eye = view.camera.center_in_world() - kCenter;
+  const Eigen::Vector3d eye = view.camera.center_in_world() - kKnownCenter;
   const Eigen::Vector3d direction = point - view.camera.center_in_world();
   double enter = 0.0, leave = 1e9;
   for (int axis = 0; axis < 3; ++axis) {
@@ -63,7 +64,7 @@ double exact_volume(const std::vector<HullView>& views, const IsInside& is_befor
   for (double z = -kReach; z < kReach; z += kStep) {
     for (double y = -kReach; y < kReach; y += kStep) {
       for (double x = -kReach; x < kReach; x += kStep) {
-        const Eigen::Vector3d point = kCenter + Eigen::Vector3d(x, y, z);
+        const Eigen::Vector3d point = kKnownCenter + Eigen::Vector3d(x, y, z);
         count += std::all_of(views.begin(), views.end(),
                              [&](const HullView& view) { return is_before(view, point); });
       }
@@ -121,14 +122,14 @@ void expect_holds(const std::vector<HullView>& views, const std::vector<Eigen::V
 TEST(KnownHulls, ABallFromThreeEightAndSixteenSides) {
   for (const int count : {3, 8, 16}) {
     const double radius_px = 55.0, pixel = kBallRadius / radius_px;
-    const auto views = views_of_ball(count, kCenter, kBallRadius, 0.7, radius_px);
+    const auto views = views_of_ball(count, kKnownCenter, kBallRadius, 0.7, radius_px);
     expect_exact_hull(views, is_before_ball, pixel);
     std::vector<Eigen::Vector3d> points;
     for (int i = 0; i < 400; ++i) {
       const double z = -1.0 + 2.0 * (i + 0.5) / 400.0, around = 2.4 * i;
       const double ring = std::sqrt(1.0 - z * z);
-      points.push_back(kCenter + kBallRadius * Eigen::Vector3d(ring * std::cos(around),
-                                                               ring * std::sin(around), z));
+      points.push_back(kKnownCenter + kBallRadius * Eigen::Vector3d(ring * std::cos(around),
+                                                                    ring * std::sin(around), z));
     }
     expect_holds(views, points, pixel);
   }
@@ -137,7 +138,7 @@ TEST(KnownHulls, ABallFromThreeEightAndSixteenSides) {
 TEST(KnownHulls, ABoxFromThreeEightAndSixteenSides) {
   for (const int count : {3, 8, 16}) {
     const double radius_px = 55.0, pixel = kBallRadius / radius_px;
-    auto views = views_of_ball(count, kCenter, kBallRadius, 0.7, radius_px);
+    auto views = views_of_ball(count, kKnownCenter, kBallRadius, 0.7, radius_px);
     for (HullView& view : views) view.silhouette = render_silhouette(box_mesh(), view.camera);
     expect_exact_hull(views, is_before_box, pixel);
     expect_holds(views, box_mesh().vertices, 2.0 * pixel);
@@ -145,7 +146,7 @@ TEST(KnownHulls, ABoxFromThreeEightAndSixteenSides) {
 }
 
 TEST(KnownHulls, ABoxSeenFromFarAlongItsAxesIsItsOwnHull) {
-  auto views = views_of_ball(3, kCenter, kBallRadius, 20.0, 85.0);
+  auto views = views_of_ball(3, kKnownCenter, kBallRadius, 20.0, 85.0);
   for (HullView& view : views) view.silhouette = render_silhouette(box_mesh(), view.camera);
   HullReport report;
   visual_hull(views, {.voxel_size = 0.001, .triangle_count = 0}, &report);

@@ -13,9 +13,9 @@
 namespace tegata {
 namespace {
 
-constexpr double kRadius = 0.05;
+constexpr double kOctreeBallRadius = 0.05;
 
-double ball(const Eigen::Vector3d& point) { return kRadius - point.norm(); }
+double ball(const Eigen::Vector3d& point) { return kOctreeBallRadius - point.norm(); }
 
 // A ball; the field changes by 1 m per metre, so its value at a cube's middle bounds the rest.
 FieldSource ball_source(std::map<std::array<double, 3>, int>* samples = nullptr) {

@@ -17,8 +17,8 @@
 namespace tegata {
 namespace {
 
-constexpr double kThreshold = 6.0;   // times the noise
-constexpr int kLargestPinhole = 30;  // [px]
+constexpr double kThreshold = 6.0;  // times the noise
+constexpr int kLargestGap = 30;     // [px]
 
 void check_pair(const CameraImage& picture, const CameraImage& background) {
   const Image<std::uint16_t>&a = picture.values, &b = background.values;
@@ -85,11 +85,11 @@ Silhouette segment_background(const CameraImage& picture, const CameraImage& bac
   BorderReport border;
   for (int round = 0; round < 2; ++round) {
     keep_large_components(silhouette, options.smallest_share);
-    fill_pinholes(silhouette, kLargestPinhole);
+    fill_pinholes(silhouette, kLargestGap);
     border = move_border_to_half_height(difference, 1.0, BorderOptions{}, silhouette);
   }
   keep_large_components(silhouette, options.smallest_share);
-  fill_pinholes(silhouette, kLargestPinhole);
+  fill_pinholes(silhouette, kLargestGap);
   std::size_t hand_pixels = count_pixels(silhouette, PixelLabel::hand);
   if (static_cast<double>(hand_pixels) < options.smallest_part * width * height) {
     silhouette = Silhouette(width, height, PixelLabel::background);

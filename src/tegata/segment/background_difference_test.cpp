@@ -13,16 +13,16 @@
 namespace tegata {
 namespace {
 
-constexpr int kWidth = 200, kHeight = 160;
+constexpr int kWallWidth = 200, kWallHeight = 160;
 
-double outside(int x, int y) { return std::hypot(x - 90.4, 1.3 * (y - 80.2)) - 45.0; }
+double outside_ellipse(int x, int y) { return std::hypot(x - 90.4, 1.3 * (y - 80.2)) - 45.0; }
 
 // A room with a chequered wall, with or without a grey ellipse in front.
 CameraImage photograph(bool hand, double light, int channels, Random& random) {
-  CameraImage picture{Image<std::uint16_t>(kWidth, kHeight, 0, channels), 8};
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const double share = hand ? 0.5 * std::erfc(outside(x, y) / 1.4) : 0.0;
+  CameraImage picture{Image<std::uint16_t>(kWallWidth, kWallHeight, 0, channels), 8};
+  for (int y = 0; y < kWallHeight; ++y) {
+    for (int x = 0; x < kWallWidth; ++x) {
+      const double share = hand ? 0.5 * std::erfc(outside_ellipse(x, y) / 1.4) : 0.0;
       for (int c = 0; c < channels; ++c) {
         const double wall = (x / 20 + y / 20) % 2 == 0 ? 60.0 : 90.0 + 15.0 * c;
         const double value = light + wall + share * (180.0 - wall) + random.normal(0.0, 2.0);
@@ -34,11 +34,11 @@ CameraImage photograph(bool hand, double light, int channels, Random& random) {
   return picture;
 }
 
-Silhouette truth() {
-  Silhouette silhouette(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      if (outside(x, y) < 0.0) silhouette(x, y) = PixelLabel::hand;
+Silhouette ellipse_truth() {
+  Silhouette silhouette(kWallWidth, kWallHeight);
+  for (int y = 0; y < kWallHeight; ++y) {
+    for (int x = 0; x < kWallWidth; ++x) {
+      if (outside_ellipse(x, y) < 0.0) silhouette(x, y) = PixelLabel::hand;
     }
   }
   return silhouette;
@@ -52,9 +52,9 @@ TEST(SegmentBackground, FindsWhatIsNewAlsoInADarkerPicture) {
       const CameraImage picture = photograph(true, light, channels, random);
       SegmentationReport report;
       const Silhouette found = segment_background(picture, empty, {}, &report);
-      EXPECT_GT(intersection_over_union(found, truth()), 0.98) << channels << ' ' << light;
+      EXPECT_GT(intersection_over_union(found, ellipse_truth()), 0.98) << channels << ' ' << light;
       EXPECT_NEAR(static_cast<double>(report.hand_pixels),
-                  static_cast<double>(count_pixels(truth(), PixelLabel::hand)),
+                  static_cast<double>(count_pixels(ellipse_truth(), PixelLabel::hand)),
                   0.01 * static_cast<double>(report.hand_pixels));
       EXPECT_GT(report.threshold, 6.0);
       EXPECT_LT(report.threshold, 30.0);

@@ -13,21 +13,21 @@ namespace {
 
 constexpr int kSize = 100;
 
-// How far a pixel lies outside of a disk of 30 pixels radius.
-double outside(int x, int y) { return std::hypot(x - 50.3, y - 49.6) - 30.0; }
+// How far a pixel lies beyond of a disk of 30 pixels radius.
+double beyond(int x, int y) { return std::hypot(x - 50.3, y - 49.6) - 30.0; }
 
 Silhouette disk(double larger) {
   Silhouette silhouette(kSize, kSize);
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
-      if (outside(x, y) < larger) silhouette(x, y) = PixelLabel::hand;
+      if (beyond(x, y) < larger) silhouette(x, y) = PixelLabel::hand;
     }
   }
   return silhouette;
 }
 
 // The share of the disk in a pixel of a blurred picture.
-double share(int x, int y) { return 0.5 * std::erfc(outside(x, y) / 1.5); }
+double share(int x, int y) { return 0.5 * std::erfc(beyond(x, y) / 1.5); }
 
 double wrong_pixels(const Silhouette& a, const Silhouette& b) {
   double count = 0.0;
@@ -92,7 +92,7 @@ TEST(BorderContrast, IsThatOfTheEdgeAndNotOfAFadingLight) {
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
       step(x, y) = static_cast<float>(7.0 + 40.0 * share(x, y));
-      slope(x, y) = static_cast<float>(-0.5 * outside(x, y));
+      slope(x, y) = static_cast<float>(-0.5 * beyond(x, y));
     }
   }
   const auto contrast = [](const Image<float>& picture, Silhouette silhouette) {

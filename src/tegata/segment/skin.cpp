@@ -23,7 +23,7 @@
 namespace tegata {
 namespace {
 
-constexpr int kLargestPinhole = 60;  // [px]
+constexpr int kLargestSkinPinhole = 60;  // [px]
 constexpr int kRounds = 3;
 constexpr double kDarkest = 30.0;  // luminance by which the division is kept from blowing up noise
 constexpr double kNoise = 2.0;     // of compressed 8-bit video, per channel
@@ -152,7 +152,7 @@ Silhouette segment_skin(const CameraImage& picture, const SkinOptions& options,
   for (int round = 0; round < 2; ++round) {
     border = move_border_to_half_height(colours, kNoise, BorderOptions{}, silhouette);
     clean(silhouette, 3);
-    fill_pinholes(silhouette, kLargestPinhole);
+    fill_pinholes(silhouette, kLargestSkinPinhole);
   }
   std::size_t hand_pixels = count_pixels(silhouette, PixelLabel::hand);
   if (static_cast<double>(hand_pixels) <

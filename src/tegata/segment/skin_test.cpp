@@ -18,11 +18,11 @@
 namespace tegata {
 namespace {
 
-constexpr int kWidth = 240, kHeight = 200;
+constexpr int kRoomWidth = 240, kRoomHeight = 200;
 using Colour3 = std::array<double, 3>;
 
 // An arm from the left edge that ends in a disk.
-double outside(int x, int y) {
+double outside_arm(int x, int y) {
   const double arm = std::hypot(x - std::min(static_cast<double>(x), 130.2), y - 100.3) - 22.0;
   return std::min(arm, std::hypot(x - 150.2, y - 100.3) - 35.0);
 }
@@ -36,10 +36,10 @@ Colour3 room(int x, int y) {
 
 // Skin of a colour, lit from above, in front of the room.
 CameraImage photograph(const Colour3& skin, Random& random, bool hand = true) {
-  CameraImage picture{Image<std::uint16_t>(kWidth, kHeight, 0, 3), 8};
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      const double share = hand ? 0.5 * std::erfc(outside(x, y) / 1.4) : 0.0;
+  CameraImage picture{Image<std::uint16_t>(kRoomWidth, kRoomHeight, 0, 3), 8};
+  for (int y = 0; y < kRoomHeight; ++y) {
+    for (int x = 0; x < kRoomWidth; ++x) {
+      const double share = hand ? 0.5 * std::erfc(outside_arm(x, y) / 1.4) : 0.0;
       const double light = 1.1 - 0.008 * (y - 65);
       const Colour3 behind = room(x, y);
       for (int c = 0; c < 3; ++c) {
@@ -55,10 +55,10 @@ CameraImage photograph(const Colour3& skin, Random& random, bool hand = true) {
 }
 
 Silhouette truth() {
-  Silhouette silhouette(kWidth, kHeight);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      if (outside(x, y) < 0.0) silhouette(x, y) = PixelLabel::hand;
+  Silhouette silhouette(kRoomWidth, kRoomHeight);
+  for (int y = 0; y < kRoomHeight; ++y) {
+    for (int x = 0; x < kRoomWidth; ++x) {
+      if (outside_arm(x, y) < 0.0) silhouette(x, y) = PixelLabel::hand;
     }
   }
   return silhouette;

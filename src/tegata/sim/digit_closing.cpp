@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "tegata/base/angle.h"
 
 namespace tegata {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kMillimetre = 1e-3;
 constexpr double kSoftPad = 0.8e-3;  // how deep skin gives way without a cost [m]
 

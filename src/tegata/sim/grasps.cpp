@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 #include "tegata/base/random.h"
 #include "tegata/math/so3.h"
@@ -18,7 +18,6 @@
 namespace tegata {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kThumb = 0, kIndex = 1, kMiddle = 2, kRing = 3, kLittle = 4;
 
 constexpr std::array<std::pair<SimulatedGrasp, std::string_view>, 4> kGraspNames = {{

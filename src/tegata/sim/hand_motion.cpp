@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/random.h"
 #include "tegata/math/so3.h"
 
 namespace tegata {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 // A sine of the time with a period and phase of its own.

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "tegata/base/angle.h"
 
 namespace tegata {
 namespace {
@@ -17,7 +18,7 @@ TEST(HandMotion, EveryStepTurnsByTheAngleAskedFor) {
   ASSERT_EQ(motion.size(), 12u);
   for (std::size_t k = 1; k < motion.size(); ++k) {
     const double turn = motion[k].rotation.angularDistance(motion[k - 1].rotation);
-    EXPECT_NEAR(turn * 180.0 / std::numbers::pi, 15.0, 1e-6);
+    EXPECT_NEAR(turn * kDegreesPerRadian, 15.0, 1e-6);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 #include "tegata/base/random.h"
 #include "tegata/math/so3.h"
@@ -14,7 +15,6 @@
 namespace tegata {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 // The room of the paper, VI, halved.
 const Eigen::Array3d kHalfRoom(0.75, 0.75, 1.0);
 // A hand of this length takes this share of the picture's height where it stands in the middle.

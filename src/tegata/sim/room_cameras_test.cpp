@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 
 namespace tegata {
@@ -14,7 +14,7 @@ namespace {
 
 double angle_between_deg(const Camera& a, const Camera& b) {
   const double cosine = a.center_in_world().normalized().dot(b.center_in_world().normalized());
-  return std::acos(cosine) * 180.0 / std::numbers::pi;
+  return std::acos(cosine) * kDegreesPerRadian;
 }
 
 TEST(RoomCameras, AllLookAtTheMiddleFromInsideTheRoomUpright) {

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/random.h"
 #include "tegata/math/so3.h"
 
 namespace tegata {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kSkinRadiance = 0.70;
 
 // Slow waves through space; fixed to the skin by evaluating them in the rest pose.

@@ -19,7 +19,7 @@
 namespace tegata {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
+constexpr std::string_view kColmapBlanks = " \t\r";
 
 // Which parameters a model has, in order: f for both focal lengths, x and y for one each, c and d
 // for the principal point, digits and letters from 'A' for the index in Distortion.
@@ -59,9 +59,9 @@ struct Line {
 
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
-  for (std::size_t at = line.find_first_not_of(kBlanks); at != std::string_view::npos;
-       at = line.find_first_not_of(kBlanks, at)) {
-    const std::size_t end = std::min(line.find_first_of(kBlanks, at), line.size());
+  for (std::size_t at = line.find_first_not_of(kColmapBlanks); at != std::string_view::npos;
+       at = line.find_first_not_of(kColmapBlanks, at)) {
+    const std::size_t end = std::min(line.find_first_of(kColmapBlanks, at), line.size());
     words.push_back(line.substr(at, end - at));
     at = end;
   }
@@ -151,7 +151,7 @@ Image read_image(const Line& line, const std::map<std::string, Camera, std::less
   image.camera = camera->second;
   const auto begin = static_cast<std::size_t>(line.words[kName].data() - line.text.data());
   image.name = line.text.substr(begin);
-  image.name.erase(image.name.find_last_not_of(kBlanks) + 1);
+  image.name.erase(image.name.find_last_not_of(kColmapBlanks) + 1);
   const Eigen::Quaterniond rotation(line.number(1), line.number(2), line.number(3), line.number(4));
   if (std::abs(rotation.norm() - 1.0) > 1e-3) {
     throw Error(line.where, ": got a quaternion of length ", rotation.norm(), ", expected 1");

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kBlanks = " \t\r";
+constexpr std::string_view kLineBlanks = " \t\r";
 
 // The two files of a calibration that comes in two: what is asked for may be either.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kPairs = {{
@@ -39,7 +39,7 @@ std::string_view first_line(std::string_view content) {
   while (!content.empty()) {
     const std::size_t end = std::min(content.find('\n'), content.size());
     const std::string_view line = content.substr(0, end);
-    const std::size_t begin = line.find_first_not_of(kBlanks);
+    const std::size_t begin = line.find_first_not_of(kLineBlanks);
     if (begin != std::string_view::npos && line[begin] != '#') return line.substr(begin);
     content.remove_prefix(std::min(end + 1, content.size()));
   }

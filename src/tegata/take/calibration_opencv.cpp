@@ -32,7 +32,8 @@ bool has_any(const DataTree& tree, const Keys& keys) {
   return std::any_of(keys.begin(), keys.end(), [&](std::string_view key) { return tree.has(key); });
 }
 
-void read_size(const DataTree& tree, const CalibrationImportOptions& options, Camera& camera) {
+void read_image_size(const DataTree& tree, const CalibrationImportOptions& options,
+                     Camera& camera) {
   const Keys width = {"image_width", "image_Width", "width"};
   const Keys height = {"image_height", "image_Height", "height"};
   const Keys both = {"image_size", "imageSize", "size", "resolution"};
@@ -83,7 +84,7 @@ Camera read_camera(const DataTree& tree, const std::string& default_name,
   set_matrix(camera, matrix.matrix3(), matrix.where());
   const DataTree distortion = tree.child_of(distortion_keys());
   set_distortion(camera, read_model(tree), distortion.numbers(), distortion.where());
-  read_size(tree, options, camera);
+  read_image_size(tree, options, camera);
   camera.camera_from_world = {
       read_rotation(tree.child_of({"R", "rotation", "rotation_matrix", "rvec"})),
       options.metres_per_unit *
@@ -106,7 +107,7 @@ CameraRig read_opencv_stereo(const DataTree& intrinsics, const DataTree& extrins
     const DataTree matrix = intrinsics.child("M" + side), distortion = intrinsics.child("D" + side);
     set_matrix(camera, matrix.matrix3(), matrix.where());
     set_distortion(camera, read_model(intrinsics), distortion.numbers(), distortion.where());
-    read_size(intrinsics, options, camera);
+    read_image_size(intrinsics, options, camera);
     rig.push_back(camera);
   }
   rig[1].camera_from_world = {read_rotation(extrinsics.child("R")),

@@ -13,10 +13,10 @@
 namespace tegata {
 namespace {
 
-constexpr std::string_view kFormat = "tegata-hand-shape";
-constexpr double kVersion = 1.0;
-constexpr std::array<std::string_view, 6> kKeys = {"format", "version", "name",
-                                                   "hand",   "shape",   "standard_deviations"};
+constexpr std::string_view kShapeFormat = "tegata-hand-shape";
+constexpr double kShapeVersion = 1.0;
+constexpr std::array<std::string_view, 6> kShapeKeys = {"format", "version", "name",
+                                                        "hand",   "shape",   "standard_deviations"};
 
 std::vector<std::string_view> parameter_names() {
   return {shape_parameter_names().begin(), shape_parameter_names().end()};
@@ -48,11 +48,11 @@ bool is_hand_shape_file(const std::filesystem::path& file) {
 
 HandShapeFile read_hand_shape(const std::filesystem::path& file) {
   const TomlTable root = TomlTable::read(file);
-  root.expect_keys(kKeys);
-  if (root.string("format") != kFormat) {
-    root.fail("format", "'" + root.string("format") + "'", text("'", kFormat, "'"));
+  root.expect_keys(kShapeKeys);
+  if (root.string("format") != kShapeFormat) {
+    root.fail("format", "'" + root.string("format") + "'", text("'", kShapeFormat, "'"));
   }
-  if (root.number("version") != kVersion) {
+  if (root.number("version") != kShapeVersion) {
     root.fail("version", toml_number(root.number("version")), "1");
   }
   HandShapeFile hand;
@@ -77,7 +77,7 @@ HandShapeFile read_hand_shape(const std::filesystem::path& file) {
 
 void write_hand_shape(const HandShapeFile& hand, const std::filesystem::path& file) {
   std::string content =
-      text("format = \"", kFormat, "\"\nversion = 1\nname = ", toml_string(hand.name),
+      text("format = \"", kShapeFormat, "\"\nversion = 1\nname = ", toml_string(hand.name),
            "\nhand = \"", side_name(hand.side), "\"\n", table_text("shape", hand.parameters));
   if (hand.standard_deviations) {
     content += table_text("standard_deviations", *hand.standard_deviations);

@@ -11,7 +11,7 @@
 namespace tegata {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kXmlBlanks = " \t\r\n";
 constexpr int kDeepest = 32;
 
 class XmlParser {
@@ -37,7 +37,7 @@ class XmlParser {
   // Blanks, <?...?>, <!-- ... --> and <!...>.
   void skip_remarks() {
     for (;;) {
-      at_ = std::min(content_.find_first_not_of(kBlanks, at_), content_.size());
+      at_ = std::min(content_.find_first_not_of(kXmlBlanks, at_), content_.size());
       if (starts("<?")) {
         at_ = find("?>", "a declaration") + 2;
       } else if (starts("<!--")) {

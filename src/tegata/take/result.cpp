@@ -7,11 +7,11 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 #include "tegata/take/hand_json.h"
 #include "tegata/take/json_value.h"
@@ -209,7 +209,6 @@ Result read_result_json(const std::filesystem::path& file) {
 }
 
 void write_angles_csv(const Result& result, const std::filesystem::path& file) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   std::string table = "frame,time_s";
   for (const std::string_view name : angle_names()) table += text(",", name, "_deg");
   table += "\n";
@@ -217,7 +216,7 @@ void write_angles_csv(const Result& result, const std::filesystem::path& file) {
     table += csv_cell(frame.name) + "," + fixed(frame.time, 6);
     for (int angle = 0; angle < kAngleCount; ++angle) {
       table += ",";
-      if (frame.pose) table += fixed(kDegrees * frame.pose->angles[angle], 4);
+      if (frame.pose) table += fixed(kDegreesPerRadian * frame.pose->angles[angle], 4);
     }
     table += "\n";
   }

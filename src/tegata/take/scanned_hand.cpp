@@ -18,8 +18,8 @@
 namespace tegata {
 namespace {
 
-constexpr std::array<std::string_view, 5> kKeys = {"name", "mesh", "hand", "metres_per_unit",
-                                                   "keypoints"};
+constexpr std::array<std::string_view, 5> kScanKeys = {"name", "mesh", "hand", "metres_per_unit",
+                                                       "keypoints"};
 // No joint of a hand is deeper in it than this; the wrist's centre is the deepest.
 constexpr double kDeepestJoint = 0.05;     // [m]
 constexpr double kShortestForearm = 0.02;  // of the bones that the wrist's end is linked to [m]
@@ -110,7 +110,7 @@ HandModel rigged_model(const ScannedHand& scan) {
 
 ScannedHand read_scanned_hand(const std::filesystem::path& file) {
   const TomlTable root = TomlTable::read(file);
-  root.expect_keys(kKeys);
+  root.expect_keys(kScanKeys);
   ScannedHand scan;
   scan.name = root.has("name") ? root.string("name") : file.stem().string();
   scan.side = read_side(root);

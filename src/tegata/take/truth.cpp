@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kFormat = "tegata-truth";
 constexpr int kVersion = 1;
-constexpr std::array<std::string_view, 4> kKeys = {"format", "version", "side", "frames"};
+constexpr std::array<std::string_view, 4> kTruthKeys = {"format", "version", "side", "frames"};
 constexpr std::array<std::string_view, 3> kFrameKeys = {"frame", "keypoints", "angles"};
 
 }  // namespace
@@ -40,7 +40,7 @@ void write_truth_json(const Truth& truth, const std::filesystem::path& file) {
 
 Truth read_truth_json(const std::filesystem::path& file) {
   const JsonValue root = JsonValue::read(file);
-  root.expect_keys(kKeys);
+  root.expect_keys(kTruthKeys);
   // Made by other programs as well, which may leave these two out.
   if (root.has("format") || root.has("version")) expect_format(root, kFormat, kVersion);
   Truth truth;
