@@ -24,15 +24,16 @@ endfunction()
 add_library(tegata_test_flags INTERFACE)
 target_compile_options(tegata_test_flags INTERFACE $<$<CONFIG:Release>:-O1>)
 
-# tegata_module(NAME <room> FLOOR <n> UNITS <unit>... [FULL]
+# tegata_module(NAME <room> FLOOR <n> UNITS <unit>... [ALONE <unit>...] [FULL]
 #               [DEPENDS <room>...] [LIBRARIES <public target>...] [PRIVATE_LIBRARIES <target>...])
 #
 # Declares a room of the library: the static library tegata_<room>, its headers and its tests.
 # A unit is a triple in the room's folder: <unit>.h, <unit>.cpp and <unit>_test.cpp; the source or
 # the test may be absent. DEPENDS names rooms on lower floors only; a room of the same or a higher
-# floor is a configure error. FULL marks rooms outside the embeddable core library.
+# floor is a configure error. ALONE names units that are never compiled together with others, as
+# they name for themselves what others do. FULL marks rooms outside the embeddable core library.
 function(tegata_module)
-  cmake_parse_arguments(ARG "FULL" "NAME;FLOOR" "UNITS;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "FULL" "NAME;FLOOR" "UNITS;ALONE;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   set(target tegata_${ARG_NAME})
   set_property(GLOBAL PROPERTY tegata_floor_${ARG_NAME} ${ARG_FLOOR})
   set(sources "")
@@ -45,6 +46,10 @@ function(tegata_module)
       list(GET kind 1 list)
       if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${unit}${ending})
         list(APPEND ${list} ${CMAKE_CURRENT_SOURCE_DIR}/${unit}${ending})
+        if(unit IN_LIST ARG_ALONE)
+          set_source_files_properties(${CMAKE_CURRENT_SOURCE_DIR}/${unit}${ending}
+                                      PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        endif()
       endif()
     endforeach()
   endforeach()

@@ -30,14 +30,13 @@ bool is_backed(const Eigen::Vector3d& vertex, const std::vector<FitView>& views)
 class WristLine {
  public:
   WristLine(const PosedHand& posed, const Camera& camera) {
-    const auto wrist = project(camera, posed.keypoints()[kWristKeypoint]);
-    const auto knuckle = project(camera, posed.keypoints()[kMiddleMcpKeypoint]);
+    const auto wrist = project(camera, posed.keypoints()[kWrist]);
+    const auto knuckle = project(camera, posed.keypoints()[kMiddleMcp]);
     if (!wrist || !knuckle) return;
     wrist_ = *wrist;
     const Eigen::Vector2d along = *knuckle - *wrist;
-    const double length_px =
-        (posed.keypoints()[kMiddleMcpKeypoint] - posed.keypoints()[kWristKeypoint]).norm() *
-        camera.fx / (camera.camera_from_world * posed.keypoints()[kWristKeypoint]).z();
+    const double length_px = (posed.keypoints()[kMiddleMcp] - posed.keypoints()[kWrist]).norm() *
+                             camera.fx / (camera.camera_from_world * posed.keypoints()[kWrist]).z();
     constexpr double kLeastForeshortening = 0.2;
     if (along.norm() > kLeastForeshortening * length_px) direction_ = along.normalized();
   }

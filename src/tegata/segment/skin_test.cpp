@@ -54,7 +54,7 @@ CameraImage photograph(const Colour3& skin, Random& random, bool hand = true) {
   return picture;
 }
 
-Silhouette truth() {
+Silhouette arm_truth() {
   Silhouette silhouette(kRoomWidth, kRoomHeight);
   for (int y = 0; y < kRoomHeight; ++y) {
     for (int x = 0; x < kRoomWidth; ++x) {
@@ -76,7 +76,7 @@ TEST(SegmentSkin, FindsLightAndDarkSkinBeforeLightAndDark) {
   for (const Colour3& skin : {Colour3{222.0, 172.0, 146.0}, Colour3{190.0, 140.0, 110.0},
                               Colour3{140.0, 92.0, 66.0}, Colour3{92.0, 60.0, 46.0}}) {
     const Silhouette found = segment_skin(photograph(skin, random));
-    EXPECT_GT(intersection_over_union(found, truth()), 0.97) << "red " << skin[0];
+    EXPECT_GT(intersection_over_union(found, arm_truth()), 0.97) << "red " << skin[0];
     EXPECT_EQ(component_count(found), 1);
   }
 }
