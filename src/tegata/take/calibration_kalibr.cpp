@@ -12,7 +12,7 @@ namespace {
 
 void read_lens(const DataTree& tree, Camera& camera) {
   const DataTree model = tree.child("camera_model");
-  if (model.string() != "pinhole") model.fail("'" + model.string() + "'", "'pinhole'");
+  if (model.string() != "pinhole") model.fail(text("'", model.string(), "'"), "'pinhole'");
   const DataTree intrinsics = tree.child("intrinsics");
   const std::vector<double> values = intrinsics.numbers(4);
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();

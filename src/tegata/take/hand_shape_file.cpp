@@ -50,7 +50,7 @@ HandShapeFile read_hand_shape(const std::filesystem::path& file) {
   const TomlTable root = TomlTable::read(file);
   root.expect_keys(kShapeKeys);
   if (root.string("format") != kShapeFormat) {
-    root.fail("format", "'" + root.string("format") + "'", text("'", kShapeFormat, "'"));
+    root.fail("format", text("'", root.string("format"), "'"), text("'", kShapeFormat, "'"));
   }
   if (root.number("version") != kShapeVersion) {
     root.fail("version", toml_number(root.number("version")), "1");

@@ -32,7 +32,7 @@ TriangleMesh read_mesh(const TomlTable& root, const std::filesystem::path& file)
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (ending == ".ply") return read_ply(file);
   if (ending == ".obj") return read_obj(file);
-  root.fail("mesh", "'" + file.filename().string() + "'", "a file that ends in .ply or .obj");
+  root.fail("mesh", text("'", file.filename().string(), "'"), "a file that ends in .ply or .obj");
 }
 
 Side read_side(const TomlTable& root) {
