@@ -281,8 +281,9 @@ TEST_F(EndToEnd, ScriptsGetOneJsonObjectFromEachCommand) {
   EXPECT_EQ(filmed.err, "");
   VideoFile video(film);
   EXPECT_EQ(json::parse(filmed.out).at("pictures"), video.frame_count());
-  EXPECT_EQ(video.read(0).values.width(), 98);
-  EXPECT_NE(video.read(0).values.values(), video.read(video.frame_count() / 2).values.values());
+  const Image<std::uint16_t> first = video.read(0).values;
+  EXPECT_EQ(first.width(), 98);
+  EXPECT_NE(first.values(), video.read(video.frame_count() / 2).values.values());
   const ProgramRun refused =
       run_program({"picture", result().string(), "-o", (folder_ / "p.png").string()});
   EXPECT_EQ(refused.exit_code, 1);
