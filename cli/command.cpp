@@ -72,10 +72,11 @@ void add_frames_option(CLI::App& command, FrameSelection& frames) {
       "FIRST:LAST:STEP, by position from 0; LAST is included and may be left out");
 }
 
-void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod>& method) {
+void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod>& method,
+                             const std::string& names) {
   command
       .add_option_function<std::string>(
-          "--segmentation",
+          names,
           [&method](const std::string& name) { method = segmentation_method_from_name(name); },
           "How pictures become silhouettes; else what the take says or shows")
       ->check(CLI::IsMember({"infrared", "background", "skin", "mask"}));

@@ -46,8 +46,9 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 
 /// --frames FIRST:LAST:STEP.
 void add_frames_option(CLI::App& command, FrameSelection& frames);
-/// --segmentation METHOD.
-void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod>& method);
+/// --segmentation METHOD, or under other names.
+void add_segmentation_option(CLI::App& command, std::optional<SegmentationMethod>& method,
+                             const std::string& names = "--segmentation");
 /// --grasp fixed|soft|free.
 void add_grasp_option(CLI::App& command, std::string& grasp);
 GraspConstraint grasp_constraint_from_name(const std::string& name);

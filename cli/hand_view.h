@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "tegata/camera/camera.h"
 #include "tegata/image/overlay.h"
 
 namespace tegata {
@@ -22,6 +23,10 @@ struct Ball {
   double radius = 0.0;  ///< [m]
 };
 Ball ball_around(const TriangleMesh& surface);
+
+/// A camera of square pictures that looks at a ball from so many of its radii away. The radius
+/// takes `share` of a picture's side.
+Camera camera_around(const Ball& ball, const View& view, int width, double radii, double share);
 
 /// A surface alone on paper, `width` pixels wide and high, with smooth edges, from so far away that
 /// sizes are nearly as they are.

@@ -57,34 +57,18 @@ CameraImage blank(int width, int height) {
 
 /// A camera that sees the hand from between the rig's cameras, filling most of a square picture.
 Camera viewpoint(const CameraRig& rig, const TriangleMesh& hand, int width) {
-  const Eigen::AlignedBox3d box = bounding_box(hand);
-  const Eigen::Vector3d center = box.center();
-  double radius = 0.0;
-  for (const Eigen::Vector3d& vertex : hand.vertices) {
-    radius = std::max(radius, (vertex - center).norm());
-  }
+  const Ball ball = ball_around(hand);
   Eigen::Vector3d towards = Eigen::Vector3d::Zero(), down = Eigen::Vector3d::Zero();
   for (const Camera& camera : rig) {
-    towards += (camera.center_in_world() - center).normalized();
+    towards += (camera.center_in_world() - ball.middle).normalized();
     down += camera.camera_from_world.rotation.conjugate() * Eigen::Vector3d::UnitY();
   }
   // Cameras all around cancel out: then any of their directions is as good.
-  if (towards.norm() < 0.1) towards = rig.front().center_in_world() - center;
+  if (towards.norm() < 0.1) towards = rig.front().center_in_world() - ball.middle;
   const Eigen::Vector3d z = -towards.normalized();
   if (down.cross(z).norm() < 0.1) down = z.unitOrthogonal();
   const Eigen::Vector3d x = down.cross(z).normalized();
-  Eigen::Matrix3d rotation;
-  rotation << x.transpose(), z.cross(x).transpose(), z.transpose();
-
-  constexpr double kDistanceInRadii = 6.0;
-  Camera camera;
-  camera.name = "viewpoint";
-  camera.width = camera.height = width;
-  camera.fx = camera.fy = 0.45 * width * kDistanceInRadii;
-  camera.cx = camera.cy = 0.5 * (width - 1);
-  camera.camera_from_world.rotation = Eigen::Quaterniond(rotation);
-  camera.camera_from_world.translation = -(rotation * (center - kDistanceInRadii * radius * z));
-  return camera;
+  return camera_around(ball, {-z, -z.cross(x)}, width, 6.0, 0.45);
 }
 
 /// What a camera's picture shows of the hand's surroundings.

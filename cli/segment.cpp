@@ -101,14 +101,7 @@ void add_segment_command(CLI::App& program) {
   command->add_option("-o,--output", arguments->folder, "Folder to make, a take of masks")
       ->required();
   add_frames_option(*command, options.frames);
-  command
-      ->add_option_function<std::string>(
-          "--method,--segmentation",
-          [&options](const std::string& name) {
-            options.segmentation = segmentation_method_from_name(name);
-          },
-          "How pictures become silhouettes; else what the take says or shows")
-      ->check(CLI::IsMember({"infrared", "background", "skin", "mask"}));
+  add_segmentation_option(*command, options.segmentation, "--method,--segmentation");
   command->add_option("--sheet-rows", options.sheet_rows, "Frames on the contact sheet")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

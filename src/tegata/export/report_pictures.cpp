@@ -24,8 +24,8 @@ namespace {
 
 constexpr int kWidest = 640;      // of a picture in the page [px]
 constexpr double kMargin = 0.35;  // around the hand, of its size
-constexpr double kLeastPictureOverlap =
-    0.5;                                   // below, what matters may lie elsewhere in the picture
+// Below this overlap what matters may lie elsewhere in the picture.
+constexpr double kLeastPictureOverlap = 0.5;
 constexpr double kOutlineTolerance = 0.4;  // [px of the page's picture]
 constexpr int kMostReduction = 16;
 constexpr std::array<int, 2> kJpegQualities = {75, 60};

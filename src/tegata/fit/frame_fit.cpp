@@ -7,6 +7,7 @@
 
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
+#include "tegata/fit/start.h"
 
 namespace tegata {
 namespace {
@@ -14,6 +15,9 @@ namespace {
 // The mean squared residual of a term has this many independent residuals' worth: what weighs the
 // images against the prior.
 constexpr double kIndependentResiduals = 30.0;
+
+// How many starts from nothing are followed to the end.
+constexpr std::size_t kKeptStarts = 6;
 
 // Contours with a wider kernel [m] are looked at less closely.
 constexpr double kFineSigma = 0.004;
@@ -50,6 +54,10 @@ FitSchedule hull_first_schedule() {
 FitSchedule contour_first_schedule() {
   return {{with_landmarks(contour_stage(0.02, 0.03, 15), 10.0),
            with_landmarks(contour_stage(0.008, 0.016, 12), 3.0), contour_stage(0.003, 0.01, 15)}};
+}
+
+std::vector<FitSchedule> search_schedules() {
+  return {hull_first_schedule(), contour_first_schedule()};
 }
 
 FitSchedule follow_schedule() {
@@ -151,6 +159,13 @@ FrameFit fit_frame_from_best(const FitHand& hand, const FitFrame& frame,
     if (best.size() < std::max<std::size_t>(kept, 1)) best.push_back(fit.pose);
   }
   return fit_all(best, schedules).front();
+}
+
+FrameFit fit_frame_from_nothing(const FitHand& hand, const FitFrame& frame,
+                                const std::vector<JointAngles>& angles,
+                                const std::vector<FitSchedule>& schedules, int threads) {
+  return fit_frame_from_best(hand, frame, starts_from_nothing(hand, frame, angles), kKeptStarts,
+                             schedules, threads);
 }
 
 }  // namespace tegata

@@ -19,6 +19,8 @@ FitSchedule hull_first_schedule();
 /// Contours from the beginning: for frames in which something cold has eaten the fingers, so that
 /// the hull lacks them. Ends with the same stage as the other.
 FitSchedule contour_first_schedule();
+/// Both: for a hand that is far from where it is looked for, in whatever way.
+std::vector<FitSchedule> search_schedules();
 /// For the next frame of a stream, from where the hand is expected: contours, and few iterations.
 /// Ends with the same stage as the two before.
 FitSchedule follow_schedule();
@@ -66,5 +68,10 @@ FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& s
 FrameFit fit_frame_from_best(const FitHand& hand, const FitFrame& frame,
                              const std::vector<HandPose>& starts, std::size_t kept,
                              const std::vector<FitSchedule>& schedules, int threads);
+
+/// The same from all starts_from_nothing() (start.h) with each of the given angles.
+FrameFit fit_frame_from_nothing(const FitHand& hand, const FitFrame& frame,
+                                const std::vector<JointAngles>& angles,
+                                const std::vector<FitSchedule>& schedules, int threads);
 
 }  // namespace tegata

@@ -12,8 +12,6 @@
 namespace tegata {
 namespace {
 
-// How many of the first frame's starts are followed to the end.
-constexpr std::size_t kKeptStarts = 6;
 // A frame that was followed in a few steps whose energy is so many times the median of those before
 // is sought farther.
 constexpr double kFollowedEnergyRatio = 1.2;
@@ -55,9 +53,9 @@ FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const std::vector<
   if (followed.report.energy <= kFollowedEnergyRatio * usual) return followed;
   const FrameFit tracked = fit_by(options.joint.frame);
   if (tracked.report.energy <= kLostEnergyRatio * usual) return tracked;
-  const FrameFit found =
-      fit_frame_from_best(hand, frame, starts_from_nothing(hand, frame, {last.angles}), kKeptStarts,
-                          holding(options.joint.frame, last.angles, deviations), options.threads);
+  const FrameFit found = fit_frame_from_nothing(
+      hand, frame, {last.angles}, holding(options.joint.frame, last.angles, deviations),
+      options.threads);
   return found.report.energy < tracked.report.energy ? found : tracked;
 }
 
@@ -68,11 +66,9 @@ std::vector<FrameFit> fit_in_order(const FitHand& hand, std::span<const FitFrame
   std::vector<double> energies;
   for (const FitFrame* frame : frames) {
     observer.progress("frames", fits.size(), frames.size());
-    fits.push_back(fits.empty()
-                       ? fit_frame_from_best(hand, *frame,
-                                             starts_from_nothing(hand, *frame, typical_angles()),
-                                             kKeptStarts, options.joint.frame, options.threads)
-                       : fit_next(hand, *frame, fits, energies, options));
+    fits.push_back(fits.empty() ? fit_frame_from_nothing(hand, *frame, typical_angles(),
+                                                         options.joint.frame, options.threads)
+                                : fit_next(hand, *frame, fits, energies, options));
     energies.push_back(fits.back().report.energy);
   }
   observer.progress("frames", frames.size(), frames.size());

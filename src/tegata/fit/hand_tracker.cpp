@@ -12,8 +12,6 @@
 namespace tegata {
 namespace {
 
-// How many starts of a search are followed to the end.
-constexpr std::size_t kKeptStarts = 6;
 // An energy that is so many times the usual one is not that of the hand, in a picture of the same
 // kind as before; so many frames tell what is usual.
 constexpr double kLostEnergyRatio = 3.0;
@@ -23,7 +21,7 @@ constexpr double kLeastOverlap = 0.4;
 // Angles are never known better than this [rad]: the frames of a stream are much alike.
 constexpr double kLeastDeviation = 0.01;
 // After a hand was lost its grasp may be another one.
-constexpr double kDeviationOnceLost = 0.3;
+constexpr double kDeviationsOnceLost[] = {0.3, 0.3, 0.3, 0.3};
 
 }  // namespace
 
@@ -58,16 +56,11 @@ std::optional<FrameFit> HandTracker::follow(const FitFrame& frame) const {
 
 std::optional<FrameFit> HandTracker::search(const FitFrame& frame) const {
   if (!frame.hull && !frame.landmarks) return std::nullopt;
-  const std::vector<JointAngles> angles =
-      knows_angles_ ? std::vector<JointAngles>{angles_} : typical_angles();
-  const std::vector<FitSchedule> schedules =
-      knows_angles_ ? holding(options_.search, angles_,
-                              std::array{kDeviationOnceLost, kDeviationOnceLost, kDeviationOnceLost,
-                                         kDeviationOnceLost})
-                    : options_.search;
-  const FrameFit found =
-      fit_frame_from_best(hand_, frame, starts_from_nothing(hand_, frame, angles), kKeptStarts,
-                          schedules, options_.threads);
+  const bool knows_angles = !energies_.empty();
+  const FrameFit found = fit_frame_from_nothing(
+      hand_, frame, knows_angles ? std::vector<JointAngles>{angles_} : typical_angles(),
+      knows_angles ? holding(options_.search, angles_, kDeviationsOnceLost) : options_.search,
+      options_.threads);
   // Once more as frames are followed, so that energies can be compared.
   const FrameFit fit = fit_frame(hand_, frame, found.pose, options_.follow);
   return is_hand(frame, fit) ? std::optional(fit) : std::nullopt;
@@ -79,7 +72,6 @@ void HandTracker::learn(const FrameFit& fit) {
   angles_ = fit.pose.angles;
   deviations_ =
       fit.report.angle_covariance.diagonal().cwiseMax(0.0).cwiseSqrt().cwiseMax(kLeastDeviation);
-  knows_angles_ = true;
   energies_.push_back(fit.report.energy);
   if (energies_.size() > kEnergiesKept) energies_.pop_front();
 }

@@ -19,7 +19,7 @@ struct TrackOptions {
   /// From where the hand is expected to where it is; its energies are compared from frame to frame.
   FitSchedule follow = stream_schedule();
   /// Where it is not known where the hand is; for these a frame needs its hull.
-  std::vector<FitSchedule> search = {hull_first_schedule(), contour_first_schedule()};
+  std::vector<FitSchedule> search = search_schedules();
   int threads = 0;
 };
 
@@ -59,10 +59,10 @@ class HandTracker {
   const FitHand& hand_;
   TrackOptions options_;
   std::optional<Rigid3d> last_, last_but_one_;
-  bool knows_angles_ = false;
   JointAngles angles_ = relaxed_angles();
   JointAngles deviations_ = JointAngles::Constant(1.0);  // [rad]
-  std::deque<double> energies_;                          // of the last frames that were followed
+  // Of the last frames in which the hand was; empty as long as nothing is known of its angles.
+  std::deque<double> energies_;
 };
 
 }  // namespace tegata

@@ -89,57 +89,59 @@ struct Votes {
   float spread() const { return blocked > 0.0F ? 1.0F - blocked_along.norm() / blocked : 0.0F; }
 };
 
-// Votes on the voxels of a box of the hand's frame.
-class VotedGrid {
+// The voxels of a box, one after the other, x fastest.
+class Voxels {
  public:
-  VotedGrid(const Eigen::AlignedBox3d& box, double voxel_size)
-      : origin_(box.min()), voxel_size_(voxel_size) {
-    const Eigen::Array3d cells = (box.sizes().array() / voxel_size).ceil();
-    size_ = cells.cast<int>() + 1;
-    votes_.resize(static_cast<std::size_t>(size_.prod()));
-  }
+  Voxels(const Eigen::AlignedBox3d& box, double size)
+      : origin_(box.min()),
+        size_(size),
+        counts_((box.sizes().array() / size).ceil().cast<int>() + 1) {}
 
-  void add(const std::vector<DrawnView>& views, const HiddenObjectOptions& options, double skin,
-           int threads) {
-    parallel_for(static_cast<std::size_t>(size_.z()), threads, [&](std::size_t z) {
-      for (int y = 0; y < size_.y(); ++y) {
-        for (int x = 0; x < size_.x(); ++x) {
-          const Eigen::Array3i index(x, y, static_cast<int>(z));
-          Votes& votes = votes_[place(index)];
-          for (const DrawnView& view : views) {
-            const Vote said = vote(view, point(index), options, skin);
-            if (said == Vote::free) votes.free += 1.0F;
-            if (said != Vote::blocked) continue;
-            votes.blocked += 1.0F;
-            votes.blocked_along += (point(index) - view.eye_in_hand).normalized().cast<float>();
-          }
-        }
+  std::size_t count() const { return static_cast<std::size_t>(counts_.prod()); }
+  std::size_t place(const Eigen::Array3i& index) const {
+    return static_cast<std::size_t>((index.z() * counts_.y() + index.y()) * counts_.x() +
+                                    index.x());
+  }
+  Eigen::Vector3d point(const Eigen::Array3i& index) const {
+    return origin_ + size_ * index.cast<double>().matrix();
+  }
+  // The voxel nearest to an index or a point; for what lies beyond a face, one on that face.
+  Eigen::Array3i within(const Eigen::Array3i& index) const { return index.max(0).min(counts_ - 1); }
+  Eigen::Array3i nearest(const Eigen::Vector3d& point) const {
+    return within(((point - origin_).array() / size_).round().cast<int>());
+  }
+  Eigen::AlignedBox3d box() const { return {point(Eigen::Array3i::Zero()), point(counts_ - 1)}; }
+
+  template <typename Body>
+  void each(int threads, const Body& body) const {
+    parallel_for(static_cast<std::size_t>(counts_.z()), threads, [&](std::size_t z) {
+      for (int y = 0; y < counts_.y(); ++y) {
+        for (int x = 0; x < counts_.x(); ++x) body(Eigen::Array3i(x, y, static_cast<int>(z)));
       }
     });
   }
 
-  const Votes& at(const Eigen::Vector3d& point) const { return votes_[place(nearest(point))]; }
-  const Votes& operator[](const Eigen::Array3i& index) const { return votes_[place(index)]; }
-  /// The voxel nearest to a point; that on the face beyond which the point lies.
-  Eigen::Array3i nearest(const Eigen::Vector3d& point) const {
-    return ((point - origin_).array() / voxel_size_).round().cast<int>().max(0).min(size_ - 1);
-  }
-  const Eigen::Array3i& size() const { return size_; }
-  Eigen::AlignedBox3d box() const { return {point(Eigen::Array3i::Zero()), point(size_ - 1)}; }
-
  private:
-  std::size_t place(const Eigen::Array3i& index) const {
-    return static_cast<std::size_t>((index.z() * size_.y() + index.y()) * size_.x() + index.x());
-  }
-  Eigen::Vector3d point(const Eigen::Array3i& index) const {
-    return origin_ + voxel_size_ * index.cast<double>().matrix();
-  }
-
   Eigen::Vector3d origin_;
-  double voxel_size_;
-  Eigen::Array3i size_;
-  std::vector<Votes> votes_;
+  double size_;
+  Eigen::Array3i counts_;
 };
+
+void add_votes(const Voxels& voxels, const std::vector<DrawnView>& views,
+               const HiddenObjectOptions& options, double skin, int threads,
+               std::vector<Votes>& all_votes) {
+  voxels.each(threads, [&](const Eigen::Array3i& index) {
+    const Eigen::Vector3d point = voxels.point(index);
+    Votes& votes = all_votes[voxels.place(index)];
+    for (const DrawnView& view : views) {
+      const Vote said = vote(view, point, options, skin);
+      if (said == Vote::free) votes.free += 1.0F;
+      if (said != Vote::blocked) continue;
+      votes.blocked += 1.0F;
+      votes.blocked_along += (point - view.eye_in_hand).normalized().cast<float>();
+    }
+  });
+}
 
 // Positive where the votes make an object, between -1 and 1.
 float evidence(const Votes& votes, const HiddenObjectOptions& options) {
@@ -148,80 +150,55 @@ float evidence(const Votes& votes, const HiddenObjectOptions& options) {
   return static_cast<float>(std::clamp(balance / options.least_blocked - 0.9, -1.0, 1.0));
 }
 
-// The evidence on a grid, each the mean of a voxel and its neighbours: single voxels are chance,
+// The evidence, for each voxel the mean of its own and its neighbours': single voxels are chance,
 // and stairs are none of it.
-class SmoothEvidence {
- public:
-  SmoothEvidence(const VotedGrid& grid, const HiddenObjectOptions& options, int threads)
-      : grid_(grid), size_(grid.size()) {
-    const auto count = static_cast<std::size_t>(size_.prod());
-    std::vector<float> raw(count);
-    each_voxel(threads, [&](const Eigen::Array3i& index, std::size_t i) {
-      raw[i] = evidence(grid[index], options);
-    });
-    values_.resize(count);
-    each_voxel(threads, [&](const Eigen::Array3i& index, std::size_t i) {
-      constexpr float kCenter = 2.0F;
-      float sum = kCenter * raw[i];
-      for (int axis = 0; axis < 3; ++axis) {
-        for (const int side : {-1, 1}) {
-          Eigen::Array3i neighbour = index;
-          neighbour[axis] = std::clamp(index[axis] + side, 0, size_[axis] - 1);
-          sum += raw[place(neighbour)];
-        }
-      }
-      values_[i] = sum / (kCenter + 6.0F);
-    });
-  }
-
-  float at(const Eigen::Vector3d& point) const { return values_[place(grid_.nearest(point))]; }
-  bool is_any_positive(const Eigen::AlignedBox3d& box) const {
-    // A point half-way between two voxels may be given to either.
-    const Eigen::Vector3d slack = 1e-6 * box.sizes();
-    const Eigen::Array3i low = grid_.nearest(box.min() - slack);
-    const Eigen::Array3i high = grid_.nearest(box.max() + slack);
-    for (int z = low.z(); z <= high.z(); ++z) {
-      for (int y = low.y(); y <= high.y(); ++y) {
-        const float* row = &values_[place({0, y, z})];
-        if (std::any_of(row + low.x(), row + high.x() + 1, [](float v) { return v > 0.0F; })) {
-          return true;
-        }
+std::vector<float> smooth_evidence(const Voxels& voxels, const std::vector<Votes>& votes,
+                                   const HiddenObjectOptions& options, int threads) {
+  std::vector<float> raw(votes.size()), smooth(votes.size());
+  std::transform(votes.begin(), votes.end(), raw.begin(),
+                 [&](const Votes& of_voxel) { return evidence(of_voxel, options); });
+  voxels.each(threads, [&](const Eigen::Array3i& index) {
+    constexpr float kCenter = 2.0F;
+    float sum = kCenter * raw[voxels.place(index)];
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {-1, 1}) {
+        Eigen::Array3i neighbour = index;
+        neighbour[axis] += side;
+        sum += raw[voxels.place(voxels.within(neighbour))];
       }
     }
-    return false;
-  }
+    smooth[voxels.place(index)] = sum / (kCenter + 6.0F);
+  });
+  return smooth;
+}
 
- private:
-  template <typename Body>
-  void each_voxel(int threads, const Body& body) const {
-    parallel_for(static_cast<std::size_t>(size_.z()), threads, [&](std::size_t z) {
-      for (int y = 0; y < size_.y(); ++y) {
-        for (int x = 0; x < size_.x(); ++x) {
-          const Eigen::Array3i index(x, y, static_cast<int>(z));
-          body(index, place(index));
-        }
+bool is_any_positive(const Voxels& voxels, const std::vector<float>& values,
+                     const Eigen::AlignedBox3d& box) {
+  // A point half-way between two voxels may be given to either.
+  const Eigen::Vector3d slack = 1e-6 * box.sizes();
+  const Eigen::Array3i low = voxels.nearest(box.min() - slack);
+  const Eigen::Array3i high = voxels.nearest(box.max() + slack);
+  for (int z = low.z(); z <= high.z(); ++z) {
+    for (int y = low.y(); y <= high.y(); ++y) {
+      const float* row = &values[voxels.place({0, y, z})];
+      if (std::any_of(row + low.x(), row + high.x() + 1, [](float v) { return v > 0.0F; })) {
+        return true;
       }
-    });
+    }
   }
-  std::size_t place(const Eigen::Array3i& index) const {
-    return static_cast<std::size_t>((index.z() * size_.y() + index.y()) * size_.x() + index.x());
-  }
+  return false;
+}
 
-  const VotedGrid& grid_;
-  Eigen::Array3i size_;
-  std::vector<float> values_;
-};
-
-TriangleMesh surface_of(const VotedGrid& grid, const HiddenObjectOptions& options, double voxel,
-                        int threads) {
-  const SmoothEvidence smooth(grid, options, threads);
+TriangleMesh surface_of(const Voxels& voxels, const std::vector<float>& values, double cell_size) {
   FieldSource source;
   source.classify = [&](const Eigen::AlignedBox3d& box) {
-    return smooth.is_any_positive(box) ? Occupancy::mixed : Occupancy::outside;
+    return is_any_positive(voxels, values, box) ? Occupancy::mixed : Occupancy::outside;
   };
-  source.sample = [&](const Eigen::Vector3d& point, bool&) { return smooth.at(point); };
+  source.sample = [&](const Eigen::Vector3d& point, bool&) {
+    return values[voxels.place(voxels.nearest(point))];
+  };
   return extract_isosurface(
-      without_small_components(build_octree(grid.box(), voxel, source), kSmallestPiece));
+      without_small_components(build_octree(voxels.box(), cell_size, source), kSmallestPiece));
 }
 
 }  // namespace
@@ -236,7 +213,8 @@ HiddenObject find_hidden_object(const FitHand& hand, std::span<const FitFrame* c
     if (hand.beyond_wrist[i] != 0) box.extend(at_origin.vertices()[i]);
   }
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(options.reach * hand.scale);
-  VotedGrid grid({box.min() - reach, box.max() + reach}, voxel);
+  const Voxels voxels({box.min() - reach, box.max() + reach}, voxel);
+  std::vector<Votes> votes(voxels.count());
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const TriangleMesh surface = hand.posed(estimate.pose(f)).surface();
     std::vector<DrawnView> views(frames[f]->views.size());
@@ -244,15 +222,15 @@ HiddenObject find_hidden_object(const FitHand& hand, std::span<const FitFrame* c
       views[v] =
           drawn(hand, surface, estimate.world_from_hand[f], frames[f]->views[v], options.margin_px);
     });
-    grid.add(views, options, options.skin * hand.scale, threads);
+    add_votes(voxels, views, options, options.skin * hand.scale, threads, votes);
   }
   HiddenObject object;
-  object.surface = surface_of(grid, options, voxel, threads);
+  object.surface = surface_of(voxels, smooth_evidence(voxels, votes, options, threads), voxel);
   for (const Eigen::Vector3d& vertex : object.surface.vertices) {
-    const Votes& votes = grid.at(vertex);
-    const double many = 1.0 - std::exp(-votes.blocked / options.least_blocked);
+    const Votes& near = votes[voxels.place(voxels.nearest(vertex))];
+    const double many = 1.0 - std::exp(-near.blocked / options.least_blocked);
     object.confidence.push_back(
-        static_cast<float>(many * votes.blocked / std::max(votes.blocked + votes.free, 1.0F)));
+        static_cast<float>(many * near.blocked / std::max(near.blocked + near.free, 1.0F)));
   }
   return object;
 }

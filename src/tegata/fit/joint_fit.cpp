@@ -113,9 +113,7 @@ SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames
 }  // namespace
 
 Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last) {
-  Rigid3d next = last * (before.inverse() * last);
-  next.rotation.normalize();
-  return next;
+  return last * (before.inverse() * last);
 }
 
 FrameFit fit_known(const FitHand& hand, const FitFrame& frame, const HandPose& start,

@@ -12,7 +12,7 @@
 namespace tegata {
 
 struct JointFitOptions {
-  std::vector<FitSchedule> frame = {hull_first_schedule(), contour_first_schedule()};
+  std::vector<FitSchedule> frame = search_schedules();
   FitSchedule all_frames = grasp_schedule();
   /// Once the object is known that hides the hand.
   FitSchedule with_object = object_schedule();

@@ -5,7 +5,6 @@
 #include <utility>
 
 namespace tegata {
-namespace {}  // namespace
 
 void add_landmark_term(const FitHand& hand, const PosedHand& posed, const StartLandmarks& landmarks,
                        const LandmarkTermOptions& options, FrameEquations& equations) {

@@ -10,12 +10,9 @@ namespace tegata {
 namespace {
 
 constexpr std::size_t kTrialFrames = 4;
-constexpr std::size_t kKeptStarts = 6;
 
 double energy_of(const FitHand& hand, const FitFrame& frame, int threads) {
-  return fit_frame_from_best(hand, frame, starts_from_nothing(hand, frame, typical_angles()),
-                             kKeptStarts, {hull_first_schedule(), contour_first_schedule()},
-                             threads)
+  return fit_frame_from_nothing(hand, frame, typical_angles(), search_schedules(), threads)
       .report.energy;
 }
 
