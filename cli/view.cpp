@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "command.h"
+#include "tegata/export/viewer_page.h"
 
 namespace tegata {
 namespace {
@@ -55,6 +56,7 @@ void run(const Arguments& arguments) {
   fs::path page = arguments.result;
   if (fs::is_directory(page)) page /= "report.html";
   if (!fs::exists(page)) {
+    require_viewer_page();
     throw Error(page.string(), ": is not there; `tegata report ", arguments.result,
                 " --take TAKE` makes it");
   }

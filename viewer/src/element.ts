@@ -71,9 +71,12 @@ export function onResize(area: HTMLElement, resize: (width: number, height: numb
   }).observe(area);
 }
 
+/** Pixels of a canvas that one CSS pixel is worth. */
+export const pixelRatio = (): number => Math.min(window.devicePixelRatio, 2);
+
 /** A canvas's context whose unit is one CSS pixel, cleared and of the given size. */
 export function cleared(canvas: HTMLCanvasElement, width: number, height: number) {
-  const ratio = Math.min(window.devicePixelRatio, 2);
+  const ratio = pixelRatio();
   const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
   if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
   const context = canvas.getContext('2d');

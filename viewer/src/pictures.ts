@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the cameras saw, with the outlines of the silhouette and of the fitted hand over it.
-import { cleared, element, onResize, toggle } from './element';
+import { cleared, element, onResize, pixelRatio, toggle } from './element';
 import { bytesOf, shortsOf } from './packed';
 import type { Player } from './player';
 import type { Camera, Picture, Report } from './report';
 
-const PICTURES_KEPT = 96;
+const PICTURES_KEPT = 240;
 const FRAMES_AHEAD = 2;
 /** Over infrared and colour pictures alike, in the light look and in the dark one. */
 const HAND = '#ff8c00';
@@ -28,21 +28,33 @@ function outlinePath(packed: string, width: number, height: number): Path2D {
   return path;
 }
 
-/** Decodes pictures and keeps those that were asked for last. */
-class Decoder {
-  private readonly kept = new Map<Picture, Promise<ImageBitmap>>();
+interface Decoded {
+  width: number;
+  bitmap: Promise<ImageBitmap>;
+}
 
-  get(picture: Picture): Promise<ImageBitmap> {
-    const known = this.kept.get(picture);
+/** Decodes pictures in the size that they are shown in, and keeps those that were asked for last. */
+class Decoder {
+  private readonly kept = new Map<Picture, Decoded>();
+
+  /** Sizes in pixels of the screen. */
+  get(picture: Picture, width: number, height: number): Promise<ImageBitmap> {
+    let decoded = this.kept.get(picture);
     this.kept.delete(picture);
-    const bitmap = known ?? createImageBitmap(new Blob([bytesOf(picture.jpeg)], { type: 'image/jpeg' }));
-    this.kept.set(picture, bitmap);
-    if (this.kept.size > PICTURES_KEPT) {
-      const [oldest, dropped] = this.kept.entries().next().value as [Picture, Promise<ImageBitmap>];
-      this.kept.delete(oldest);
-      dropped.then((image) => image.close(), () => {});
+    if (decoded?.width !== width) {
+      decoded?.bitmap.then((image) => image.close(), () => {});
+      const bytes = new Blob([bytesOf(picture.jpeg)], { type: 'image/jpeg' });
+      // Not on the page's own thread, as drawing in another size is.
+      const size: ImageBitmapOptions = { resizeWidth: width, resizeHeight: height, resizeQuality: 'high' };
+      decoded = { width, bitmap: createImageBitmap(bytes, size) };
     }
-    return bitmap;
+    this.kept.set(picture, decoded);
+    if (this.kept.size > PICTURES_KEPT) {
+      const [oldest, dropped] = this.kept.entries().next().value as [Picture, Decoded];
+      this.kept.delete(oldest);
+      dropped.bitmap.then((image) => image.close(), () => {});
+    }
+    return decoded.bitmap;
   }
 }
 
@@ -88,6 +100,18 @@ class CameraPicture {
     this.drawShown();
   }
 
+  /** Decodes the picture of a frame that may be shown soon; what is wrong with it is said then. */
+  prepare(frame: number): void {
+    const picture = this.report.frames[frame]?.pictures.get(this.index);
+    if (picture && this.width > 0) this.decoded(picture).catch(() => {});
+  }
+
+  private decoded(picture: Picture): Promise<ImageBitmap> {
+    const [, , width, height] = this.camera.window;
+    const wide = Math.max(1, Math.min(width, Math.round(this.width * pixelRatio())));
+    return this.decoder.get(picture, wide, Math.max(1, Math.round((wide * height) / width)));
+  }
+
   /** As soon as it is decoded, unless another frame is shown by then. */
   private drawShown(): void {
     const frame = this.shown;
@@ -97,7 +121,7 @@ class CameraPicture {
       this.say('no picture of this frame in the page');
       return;
     }
-    this.decoder.get(picture).then(
+    this.decoded(picture).then(
       (bitmap) => {
         if (this.shown === frame) this.draw(picture, bitmap);
       },
@@ -152,10 +176,7 @@ export function pictureWall(report: Report, player: Player): HTMLElement {
   player.onFrame((frame) => {
     show(frame);
     for (let ahead = frame - FRAMES_AHEAD; ahead <= frame + FRAMES_AHEAD; ++ahead) {
-      // What cannot be decoded is said when it is shown.
-      for (const picture of report.frames[ahead]?.pictures.values() ?? []) {
-        decoder.get(picture).catch(() => {});
-      }
+      for (const picture of pictures) picture.prepare(ahead);
     }
   });
   const outlineToggle = (name: string, key: keyof Wanted) => {

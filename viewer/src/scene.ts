@@ -5,15 +5,16 @@
 // changes. World coordinates are the result's.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import { colour } from './element';
+import { colour, pixelRatio } from './element';
 import type { Camera, Frame, Hull, Report } from './report';
 import { poseVertices, spreadOverVertices } from './skinned_hand';
 
 const HULLS_KEPT = 64;
 const CAMERA_SIZE = 0.07; // of the drawn pyramids [m]
 /** Without a GPU a moving picture has so many of the screen's pixels in width, a still one all. */
-const COARSE = 0.5;
+const COARSE = 0.4;
 const STILL_AFTER = 160; // [ms]
+const GLASS = { transparent: true, opacity: 0.28, depthWrite: false };
 
 /** From a camera's axes as three.js has them (y up, looking along -z) to the world. */
 function worldFromCamera(camera: Camera): THREE.Matrix4 {
@@ -81,7 +82,10 @@ export class HandScene {
   private readonly fixed = new THREE.Camera();
   private readonly controls: OrbitControls;
   private readonly hand: THREE.Mesh<THREE.BufferGeometry, THREE.MeshLambertMaterial>;
-  private readonly hull: THREE.Mesh<THREE.BufferGeometry, THREE.MeshLambertMaterial>;
+  private readonly hull: THREE.Mesh;
+  private readonly hullShaded = new THREE.MeshLambertMaterial({ ...GLASS, flatShading: true });
+  /** Much cheaper without a GPU, and through glass hardly another picture while it moves. */
+  private readonly hullPlain = new THREE.MeshBasicMaterial(GLASS);
   private readonly cameras = new THREE.Group();
   private readonly hulls = new Map<number, THREE.BufferGeometry | undefined>();
   private readonly support: Float32Array;
@@ -116,12 +120,7 @@ export class HandScene {
       geometry,
       new THREE.MeshLambertMaterial({ vertexColors: true }),
     );
-    this.hull = new THREE.Mesh(
-      new THREE.BufferGeometry(),
-      new THREE.MeshLambertMaterial({
-        transparent: true, opacity: 0.28, depthWrite: false, flatShading: true,
-      }),
-    );
+    this.hull = new THREE.Mesh(new THREE.BufferGeometry(), this.hullShaded);
     this.hull.renderOrder = 1;
     // Their vertices are replaced with each frame, and they are always in view.
     this.hand.frustumCulled = this.hull.frustumCulled = false;
@@ -208,7 +207,7 @@ export class HandScene {
   }
 
   applyLook(): void {
-    this.hull.material.color.set(colour('--hull'));
+    for (const material of [this.hullShaded, this.hullPlain]) material.color.set(colour('--hull'));
     this.seen.set(colour('--skin'));
     this.unseen.set(colour('--unseen'));
     this.cameras.clear();
@@ -243,7 +242,8 @@ export class HandScene {
     const isCoarse = this.isSlow && !isStill && performance.now() - this.drawnAt < STILL_AFTER;
     this.drawnAt = performance.now();
     if (isCoarse) this.still = window.setTimeout(() => this.render(true), STILL_AFTER);
-    this.setPixelRatio(isCoarse ? COARSE : Math.min(window.devicePixelRatio, 2));
+    this.hull.material = isCoarse ? this.hullPlain : this.hullShaded;
+    this.setPixelRatio(isCoarse ? COARSE : pixelRatio());
     this.renderer.render(this.scene, this.lookingThrough ? this.fixed : this.free);
     this.canvas.toggleAttribute('data-coarse', isCoarse);
     this.canvas.dataset['frame'] = this.shown.name;

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::size_t kMostHandTriangles = 12'000;
-constexpr std::size_t kMostHulls = 300;
+constexpr std::size_t kMostHulls = 300, kMostHullBytes = 4'000'000;
 
 /// Numbers as base64 of their little-endian bytes.
 template <typename T>
@@ -178,11 +178,25 @@ ordered_json frame_json(const ReportContent& content, const FrameDoubt& doubt) {
   return json;
 }
 
+/// Of how many frames one keeps its hull, so that all of them fit into the page.
+std::size_t hull_step(const ReportContent& content) {
+  const std::vector<ResultFrame>& frames = content.result.frames;
+  for (std::size_t step = 1;; ++step) {
+    std::size_t count = 0, bytes = 0;
+    for (std::size_t i = 0; i < frames.size(); i += step) {
+      const auto hull = content.hulls.find(frames[i].name);
+      if (hull == content.hulls.end()) continue;
+      ++count;
+      bytes += 4 * (6 * hull->second.vertices.size() + 6 * hull->second.triangles.size()) / 3;
+    }
+    if ((count <= kMostHulls && bytes <= kMostHullBytes) || step >= frames.size()) return step;
+  }
+}
+
 ordered_json frames_json(const ReportContent& content, const std::vector<FrameDoubt>& doubts,
                          std::vector<std::string>& limits) {
   auto list = ordered_json::array();
-  const std::size_t count = doubts.size();
-  const std::size_t step = std::max<std::size_t>(1, (count + kMostHulls - 1) / kMostHulls);
+  const std::size_t step = hull_step(content);
   for (const FrameDoubt& doubt : doubts) {
     list.push_back(frame_json(content, doubt));
     const auto hull = content.hulls.find(content.result.frames[doubt.frame].name);

@@ -14,6 +14,7 @@
 
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
+#include "tegata/export/frame_choice.h"
 #include "tegata/export/frame_doubts.h"
 #include "tegata/image/overlay.h"
 #include "tegata/image/rasterizer.h"
@@ -27,7 +28,7 @@ constexpr double kMargin = 0.35;  // around the hand, of its size
 // Below this overlap what matters may lie elsewhere in the picture.
 constexpr double kLeastPictureOverlap = 0.5;
 constexpr double kOutlineTolerance = 0.4;  // [px of the page's picture]
-constexpr int kMostReduction = 16;
+constexpr int kNarrowest = 160;  // of the widest picture; rather than smaller, they are fewer [px]
 constexpr std::array<int, 2> kJpegQualities = {75, 60};
 constexpr std::size_t kFramesAtOnce = 8, kSampledFrames = 4;
 
@@ -36,24 +37,12 @@ struct Shown {
   std::size_t in_result = 0, in_take = 0;
 };
 
-std::vector<Shown> shown_frames(const Take& take, const Result& result, std::size_t most) {
+/// All frames of a result in its take. Throws Error where the take lacks one.
+std::vector<Shown> frames_in_take(const Take& take, const Result& result) {
   std::map<std::string, std::size_t> index_of;
   for (std::size_t i = 0; i < take.frame_names().size(); ++i) index_of[take.frame_names()[i]] = i;
-  std::set<std::size_t> chosen;
-  const std::size_t count = result.frames.size();
-  if (count <= most) {
-    for (std::size_t i = 0; i < count; ++i) chosen.insert(i);
-  } else {
-    std::vector<FrameDoubt> doubts = frame_doubts(result);
-    std::stable_sort(doubts.begin(), doubts.end(), [](const FrameDoubt& a, const FrameDoubt& b) {
-      return a.severity > b.severity;
-    });
-    for (std::size_t i = 0; i < most / 4; ++i) chosen.insert(doubts[i].frame);
-    const std::size_t spread = most - chosen.size();
-    for (std::size_t i = 0; i < spread; ++i) chosen.insert(i * count / spread);
-  }
   std::vector<Shown> frames;
-  for (const std::size_t i : chosen) {
+  for (std::size_t i = 0; i < result.frames.size(); ++i) {
     const auto found = index_of.find(result.frames[i].name);
     if (found == index_of.end()) {
       throw Error(take.folder().string(), ": got no frame '", result.frames[i].name,
@@ -62,6 +51,21 @@ std::vector<Shown> shown_frames(const Take& take, const Result& result, std::siz
     frames.push_back({i, found->second});
   }
   return frames;
+}
+
+std::vector<double> severities_of(const Result& result) {
+  std::vector<double> severities;
+  for (const FrameDoubt& doubt : frame_doubts(result)) severities.push_back(doubt.severity);
+  return severities;
+}
+
+/// What a picture takes of the page, where all of it is base64.
+std::size_t page_bytes(const ReportPicture& picture) {
+  std::size_t bytes = picture.jpeg.size();
+  for (const auto* outlines : {&picture.hand, &picture.silhouette}) {
+    for (const Outline& outline : *outlines) bytes += 2 + 4 * outline.size();
+  }
+  return 4 * bytes / 3;
 }
 
 PictureWindow whole(const Camera& camera) { return {0, 0, camera.width, camera.height}; }
@@ -130,43 +134,63 @@ class PictureMaker {
       : take_(take), result_(result), hand_(hand), options_(options), observer_(observer) {}
 
   ReportPictures make(const SegmentFrame& segment) {
-    const std::vector<Shown> frames = shown_frames(take_, result_, options_.most_frames);
+    const std::vector<Shown> all = frames_in_take(take_, result_);
+    const std::vector<double> severities = severities_of(result_);
     for (const Camera& camera : take_.rig()) {
       made_.windows.push_back(window_around_hand(camera, result_, hand_));
     }
-    choose_size(frames);
+    std::vector<Shown> frames;
+    for (const std::size_t i : choose_frames(severities, choose_size(all))) {
+      frames.push_back(all[i]);
+    }
     for (PictureWindow& window : made_.windows) window = trimmed(window, size_.reduction);
     for (std::size_t begin = 0; begin < frames.size(); begin += kFramesAtOnce) {
       const std::size_t count = std::min(kFramesAtOnce, frames.size() - begin);
       make_some({&frames[begin], count}, segment);
       observer_.progress("report", begin + count, frames.size());
     }
-    say_limits(frames.size());
+    say_limits(keep_what_fits(frames, severities));
     return std::move(made_);
   }
 
  private:
-  /// The largest pictures that keep within the bytes, judged by a few frames.
-  void choose_size(const std::vector<Shown>& frames) {
+  /// The largest pictures that keep within the bytes, judged by a few frames; and of how many
+  /// frames.
+  std::size_t choose_size(const std::vector<Shown>& frames) {
+    const std::size_t wanted = std::min(options_.most_frames, frames.size());
     std::vector<TakeFrame> samples;
     const std::size_t step = std::max<std::size_t>(1, frames.size() / kSampledFrames);
     for (std::size_t i = 0; i < frames.size(); i += step) {
       samples.push_back(take_.read_display_frame(frames[i].in_take, Observer{}));
     }
-    int least = 1;
-    for (const PictureWindow& window : made_.windows) {
-      least = std::max(least, (window.width + kWidest - 1) / kWidest);
-    }
-    for (size_.reduction = least; size_.reduction < kMostReduction; ++size_.reduction) {
+    int widest = 1;
+    for (const PictureWindow& window : made_.windows) widest = std::max(widest, window.width);
+    const int least = (widest + kWidest - 1) / kWidest;
+    const int most = std::max(least, widest / kNarrowest);
+    double bytes = 0.0;
+    for (size_.reduction = least; size_.reduction <= most; ++size_.reduction) {
       for (const int quality : kJpegQualities) {
         size_.quality = quality;
-        if (fits(samples, frames.size())) return;
+        bytes = bytes_a_picture(samples);
+        if (bytes * pictures_of_frames(wanted) <= room() &&
+            bytes <= static_cast<double>(options_.usual_bytes)) {
+          return wanted;
+        }
       }
     }
+    size_.reduction = most;
+    const double fitting = room() / (bytes * pictures_of_frames(1));
+    return std::min(wanted, static_cast<std::size_t>(std::max(1.0, fitting)));
   }
 
-  bool fits(const std::vector<TakeFrame>& samples, std::size_t frame_count) const {
-    constexpr double kReserve = 0.9;
+  double pictures_of_frames(std::size_t count) const {
+    return static_cast<double>(count * take_.rig().size());
+  }
+
+  /// For all JPEGs, before they are base64; the outlines need some as well.
+  double room() const { return 0.8 * 0.75 * static_cast<double>(options_.most_bytes); }
+
+  double bytes_a_picture(const std::vector<TakeFrame>& samples) const {
     double bytes = 0.0, count = 0.0;
     for (const TakeFrame& sample : samples) {
       for (std::size_t c = 0; c < take_.rig().size(); ++c) {
@@ -176,9 +200,7 @@ class PictureMaker {
         count += 1.0;
       }
     }
-    const double expected = static_cast<double>(frame_count * take_.rig().size());
-    const double most = kReserve * static_cast<double>(options_.most_bytes) / expected;
-    return bytes <= count * std::min(most, static_cast<double>(options_.usual_bytes));
+    return bytes / std::max(1.0, count);
   }
 
   void make_some(std::span<const Shown> frames, const SegmentFrame& segment) {
@@ -196,15 +218,34 @@ class PictureMaker {
                             segment(pictures[i]));
     });
     for (std::vector<ReportPicture>& some : made) {
-      for (ReportPicture& picture : some) {
-        if (byte_count_ + picture.jpeg.size() > options_.most_bytes) {
-          ++left_out_;
-          continue;
-        }
-        byte_count_ += picture.jpeg.size();
-        made_.pictures.push_back(std::move(picture));
-      }
+      for (ReportPicture& picture : some) made_.pictures.push_back(std::move(picture));
     }
+  }
+
+  /// Leaves frames out where the few that the size was judged by were smaller than most. Returns
+  /// how many frames are left.
+  std::size_t keep_what_fits(const std::vector<Shown>& frames,
+                             const std::vector<double>& severities) {
+    std::map<std::size_t, std::size_t> bytes_of;  // by the frame's position in the result
+    for (const Shown& frame : frames) bytes_of[frame.in_result] = 0;
+    for (const ReportPicture& picture : made_.pictures) {
+      bytes_of[picture.frame] += page_bytes(picture);
+    }
+    std::vector<double> their_severities;
+    std::vector<std::size_t> positions, bytes;
+    for (const auto& [frame, size] : bytes_of) {
+      positions.push_back(frame);
+      their_severities.push_back(severities[frame]);
+      bytes.push_back(size);
+    }
+    std::set<std::size_t> kept;
+    for (const std::size_t i :
+         choose_frames_by_size(their_severities, bytes, options_.most_bytes)) {
+      kept.insert(positions[i]);
+    }
+    std::erase_if(made_.pictures,
+                  [&](const ReportPicture& picture) { return !kept.contains(picture.frame); });
+    return kept.size();
   }
 
   std::vector<ReportPicture> pictures_of(
@@ -233,9 +274,6 @@ class PictureMaker {
       made_.limits.push_back(fmt::format("Pictures of {} of {} frames are in this page.",
                                          frame_count, result_.frames.size()));
     }
-    if (left_out_ > 0) {
-      made_.limits.push_back(fmt::format("{} pictures did not fit into the page.", left_out_));
-    }
     if (size_.reduction > 1) {
       made_.limits.push_back(fmt::format(
           "Pictures are reduced {} to 1, so that the page stays small.", size_.reduction));
@@ -249,7 +287,6 @@ class PictureMaker {
   const Observer& observer_;
   ReportPictures made_;
   Size size_;
-  std::size_t byte_count_ = 0, left_out_ = 0;
 };
 
 }  // namespace

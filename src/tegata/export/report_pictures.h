@@ -40,15 +40,16 @@ using SegmentFrame =
     std::function<std::vector<std::optional<Silhouette>>(const TakeFrame& pictures)>;
 
 struct ReportPictureOptions {
-  std::size_t most_frames = 300;       ///< beyond, the most doubtful ones and others evenly
-  std::size_t most_bytes = 8'000'000;  ///< of all JPEGs
-  std::size_t usual_bytes = 24'000;    ///< of one JPEG, where there are few
+  std::size_t most_frames = 300;        ///< beyond, the most doubtful ones and others evenly
+  std::size_t most_bytes = 11'000'000;  ///< of the page, for all pictures and outlines
+  std::size_t usual_bytes = 24'000;     ///< of one JPEG, where there are few
   int threads = 0;
 };
 
 /// The pictures of a result's frames: of each camera what surrounds the hand over all frames, in
-/// one size. A camera that disagrees with the fit in some frame is shown whole. Throws Error where
-/// the take lacks a frame of the result.
+/// one size. A camera that disagrees with the fit in some frame is shown whole. What does not fit
+/// is made smaller first, then left out, the frames to doubt last. Throws Error where the take
+/// lacks a frame of the result.
 ReportPictures make_report_pictures(Take& take, const Result& result, const HandModel& hand,
                                     const SegmentFrame& segment,
                                     const ReportPictureOptions& options, const Observer& observer);
