@@ -215,14 +215,15 @@ struct Found {
   Descent descent;
 };
 
-// The frames of grasps with the forearm drawn where the estimates have it.
+// The frames of grasps with forearm and hidden objects drawn where the estimates have them.
 struct SurroundedGrasps {
   SurroundedGrasps(const FitHand& hand, std::span<const GraspFrames> grasps,
                    const std::vector<HandEstimate>& estimates, int threads) {
     frames.reserve(grasps.size());
     for (std::size_t g = 0; g < grasps.size(); ++g) {
-      frames.push_back(with_surroundings(hand, grasps[g].frames, estimates[g], {}, threads));
-      pointers.push_back({pointers_to(frames.back()), estimates[g]});
+      frames.push_back(
+          with_surroundings(hand, grasps[g].frames, estimates[g], grasps[g].object, threads));
+      pointers.push_back({pointers_to(frames.back()), estimates[g], {}});
     }
   }
 
@@ -244,7 +245,9 @@ Found minimise_all(const SoughtShape& sought, const Eigen::VectorXd& start,
   const FitHand hand(mean->model());
   Found found;
   for (const FitStage& stage : schedule.stages) {
-    const SurroundedGrasps surrounded(hand, grasps, estimate.grasps, threads);
+    const std::unique_ptr<TrialHand> trial = sought.at(estimate.shape);
+    const SurroundedGrasps surrounded(hand.with_model(trial->model()), grasps, estimate.grasps,
+                                      threads);
     const Problem problem(sought, hand, surrounded.pointers, stage, threads);
     Linearisation current = problem.linearise(estimate);
     const Descent descent = descend(problem, stage.most_iterations, estimate, current);
@@ -256,6 +259,19 @@ Found minimise_all(const SoughtShape& sought, const Eigen::VectorXd& start,
   for (std::size_t g = 0; g < grasps.size(); ++g) grasps[g].estimate = estimate.grasps[g];
   found.shape = estimate.shape;
   return found;
+}
+
+// One frame alone tells little of what hides the hand in it.
+void find_objects(const FitHand& hand, const ShapeFitOptions& options,
+                  std::span<GraspFrames> grasps) {
+  for (GraspFrames& grasp : grasps) {
+    if (grasp.frames.size() < 2) continue;
+    const std::vector<FitFrame> frames =
+        with_surroundings(hand, grasp.frames, grasp.estimate, {}, options.threads);
+    grasp.object = find_hidden_object(hand, pointers_to(frames), grasp.estimate, options.object,
+                                      options.threads)
+                       .surface;
+  }
 }
 
 }  // namespace
@@ -272,7 +288,14 @@ ScaleFit fit_scale(const HandModel& hand, double start, std::span<GraspFrames> g
 ShapeFit fit_shape(const ShapedHand& hand, const ShapeParameters& start,
                    std::span<GraspFrames> grasps, const ShapeFitOptions& options) {
   const SoughtParameters sought(hand);
-  const Found found = minimise_all(sought, start, options.shape, options.threads, grasps);
+  Found found = minimise_all(sought, start, options.shape, options.threads, grasps);
+  for (int round = 1; round < options.shape_rounds; ++round) {
+    const std::unique_ptr<TrialHand> trial = sought.at(found.shape);
+    find_objects(FitHand(trial->model()), options, grasps);
+    const int before = found.descent.iterations;
+    found = minimise_all(sought, found.shape, options.shape, options.threads, grasps);
+    found.descent.iterations += before;
+  }
   return {found.shape, found.standard_deviations, found.descent.iterations,
           found.descent.termination};
 }

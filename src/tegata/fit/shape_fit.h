@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tegata/fit/frame_fit.h"
+#include "tegata/fit/hidden_object.h"
 #include "tegata/hand/shape_parameters.h"
 #include "tegata/hand/shaped_hand.h"
 
@@ -16,12 +17,17 @@ namespace tegata {
 struct GraspFrames {
   std::vector<const FitFrame*> frames;
   HandEstimate estimate;  ///< with a pose for each of the frames
+  TriangleMesh object;    ///< what hides the hand without being seen, in its frame; may be empty
 };
 
 struct ShapeFitOptions {
   double scale_deviation = 0.08;  ///< of hands' sizes about the given one
   FitSchedule scale = scale_schedule();
   FitSchedule shape = shape_schedule();
+  /// How often the shape is fitted, each time but the first with hidden objects as the last shape
+  /// shows them.
+  int shape_rounds = 2;
+  HiddenObjectOptions object;
   int threads = 0;
 };
 
@@ -48,7 +54,8 @@ struct ShapeFit {
 };
 
 /// Refines poses and angles of all grasps together with all shape parameters, in place, from a
-/// start. What no picture tells stays at shape_prior(). Throws Error where there is no frame.
+/// start. What no picture tells stays at shape_prior(). Grasps of several frames get the objects
+/// that were found in the end. Throws Error where there is no frame.
 ShapeFit fit_shape(const ShapedHand& hand, const ShapeParameters& start,
                    std::span<GraspFrames> grasps, const ShapeFitOptions& options = {});
 

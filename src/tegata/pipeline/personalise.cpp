@@ -4,6 +4,7 @@
 
 #include "tegata/base/error.h"
 #include "tegata/base/stopwatch.h"
+#include "tegata/hand/scaled_hand.h"
 #include "tegata/pipeline/size_hand.h"
 
 namespace tegata {
@@ -23,6 +24,14 @@ PersonalHand personalise(std::span<Take> takes, Side side, const PersonaliseOpti
   fit_options.threads = options.threads;
   SizedHand sized = size_hand(shapes.model(HandShape()), prepared, fit_options, observer);
   person.scale = sized.scale;
+  // What hides the hand is known from here on, as far as a hand of the right size shows it.
+  const HandModel hand = scaled(shapes.model(HandShape()), sized.scale.scale);
+  sized.grasps.clear();
+  for (const PreparedTake& take : prepared) {
+    const std::vector<const FitFrame*> frames = take.fit_frames();
+    add_grasps(fit_grasp(FitHand(hand), frames, fit_options, observer), frames, fit_options.grasp,
+               sized.grasps);
+  }
   observer.progress("shape", 0, 1);
   ShapeFitOptions shape_options;
   shape_options.threads = options.threads;

@@ -22,17 +22,6 @@ constexpr int kMostRounds = 3;
 // A round that changes the scale by less was the last.
 constexpr double kScaleTolerance = 0.015;
 
-void add_grasps(const GraspFit& fit, const std::vector<const FitFrame*>& frames,
-                GraspConstraint constraint, std::vector<GraspFrames>& grasps) {
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    if (f == 0 || constraint == GraspConstraint::free) {
-      grasps.emplace_back().estimate.angles = fit.poses[f].angles;
-    }
-    grasps.back().frames.push_back(frames[f]);
-    grasps.back().estimate.world_from_hand.push_back(fit.poses[f].world_from_hand);
-  }
-}
-
 /// Fits frames of some takes, then the scale with them.
 ScaleFit fit_round(const HandModel& hand, double scale,
                    std::span<const std::vector<const FitFrame*>> takes,
@@ -72,6 +61,18 @@ double start_scale(const HandModel& hand, const std::vector<const FitFrame*>& fr
 }
 
 }  // namespace
+
+void add_grasps(const GraspFit& fit, const std::vector<const FitFrame*>& frames,
+                GraspConstraint constraint, std::vector<GraspFrames>& grasps) {
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    if (f == 0 || constraint == GraspConstraint::free) {
+      grasps.emplace_back().estimate.angles = fit.poses[f].angles;
+      grasps.back().object = fit.object.surface;
+    }
+    grasps.back().frames.push_back(frames[f]);
+    grasps.back().estimate.world_from_hand.push_back(fit.poses[f].world_from_hand);
+  }
+}
 
 SizedHand size_hand(const HandModel& hand, std::span<const PreparedTake> takes,
                     const GraspFitOptions& fit_options, const Observer& observer) {

@@ -18,6 +18,10 @@ struct SizedHand {
   double seconds = 0.0;
 };
 
+/// Adds what a fit found of frames: one grasp, or with free ones a grasp for each frame.
+void add_grasps(const GraspFit& fit, const std::vector<const FitFrame*>& frames,
+                GraspConstraint constraint, std::vector<GraspFrames>& grasps);
+
 /// The scale of a hand that fits some takes of it. A hand of the wrong size settles in wrong
 /// places, so a few sizes are tried on the first frames, each with poses and angles; from the best
 /// on all frames are fitted and the scale with them, anew as long as it changes. Free grasps have
