@@ -152,6 +152,19 @@ TEST_F(EndToEnd, AHandThatWasLostOnTheWayIsSaidAndFoundAgain) {
   EXPECT_LE(evaluation.mean.surface_error_mm, 2.0);
 }
 
+TEST_F(EndToEnd, ACameraThatShowsAnotherMomentIsLeftOutAndNamed) {
+  simulate({"--cameras", "4", "--frames", "4", "--size", "320x240", "--mode", "clean"});
+  const fs::path masks = take() / "masks/camera_1";
+  fs::copy_file(masks / "000000.png", masks / "000002.png", fs::copy_options::overwrite_existing);
+  const ProgramRun run = fit(result(), {"--no-report"});
+  const Result fitted = read_result_json(result() / "result.json");
+  for (const std::size_t f : {0u, 1u, 2u, 3u}) {
+    EXPECT_EQ(fitted.frames[f].left_out.count("camera_1"), f == 2 ? 1u : 0u) << f;
+    EXPECT_EQ(fitted.frames[f].views.size(), f == 2 ? 3u : 4u) << f;
+  }
+  EXPECT_LE(evaluate(result()).worst.keypoint_error_mm, 2.0);
+}
+
 TEST_F(EndToEnd, ASoftGraspLetsFramesDepartALittle) {
   simulate(kSmallTake);
   fit(result(), {"--grasp", "soft", "--no-report"});

@@ -6,12 +6,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 
 namespace tegata {
 namespace {
 
-constexpr double kLeastOverlap = 0.5, kLeastDrop = 0.15, kLeastJump = 0.03;
+// Something that hides the hand may leave little overlap; with all that is seen of the hand covered
+// (by less than kCovered [m]) less is enough.
+constexpr double kLeastOverlap = 0.5, kLeastCoveredOverlap = 0.25, kCovered = 5e-4;
+constexpr double kLeastDrop = 0.15, kLeastJump = 0.03;
+// More of a seen hand beside the fitted one than a hand of a somewhat other shape has [m].
+constexpr double kMostUncovered = 1.5e-3;
+// Over all frames, of a result that is good and that is fair [m].
+constexpr double kGoodUncovered = 1e-3, kFairUncovered = 2e-3;
 constexpr double kSigmaOfDeviation = 1.4826;  // of a normal distribution
 constexpr std::size_t kEnoughViews = 3, kFramesAround = 5;
 
@@ -70,17 +79,68 @@ double usual_view_count(const Result& result) {
   return median(counts);
 }
 
+double uncovered_in(const ResultFrame& frame, const std::string& camera) {
+  const auto found = frame.uncovered.find(camera);
+  return found == frame.uncovered.end() ? kMostUncovered : found->second;
+}
+
+/// The camera that sees most of a hand beside the fitted one; nothing where none can tell.
+std::optional<std::pair<std::string, double>> most_uncovered(const ResultFrame& frame) {
+  const auto most =
+      std::max_element(frame.uncovered.begin(), frame.uncovered.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == frame.uncovered.end()) return std::nullopt;
+  return *most;
+}
+
+void doubt_uncovered(const ResultFrame& frame, double& severity, std::vector<Reason>& reasons) {
+  const auto most = most_uncovered(frame);
+  if (!most) return;
+  const double weight = 0.9 * std::min(1.0, most->second / (4.0 * kMostUncovered));
+  severity = std::max(severity, weight);
+  if (most->second <= kMostUncovered) return;
+  reasons.emplace_back(weight, fmt::format("the hand in {} reaches {:.1f} mm beyond the fitted one",
+                                           most->first, 1e3 * most->second));
+}
+
+/// "; camera_1 was left out of 3: it contradicts the other cameras", for each camera and reason.
+std::string left_out_views(const Result& result) {
+  std::map<std::pair<std::string, std::string>, std::size_t> counts;
+  for (const ResultFrame& frame : result.frames) {
+    for (const auto& [camera, why] : frame.left_out) ++counts[{camera, why}];
+  }
+  std::string list;
+  for (const auto& [which, count] : counts) {
+    list += fmt::format(" {} was left out of {}: {}.", which.first, count, which.second);
+  }
+  return list;
+}
+
+/// The mean over all frames of what is uncovered where most is [m].
+double mean_uncovered(const Result& result) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const ResultFrame& frame : result.frames) {
+    if (const auto most = most_uncovered(frame)) {
+      sum += most->second;
+      ++count;
+    }
+  }
+  return count == 0 ? 0.0 : sum / static_cast<double>(count);
+}
+
 void doubt_overlaps(const Result& result, std::size_t index, double& severity,
                     std::vector<Reason>& reasons) {
   for (const auto& [camera, overlap] : result.frames[index].silhouette_iou) {
     const Usual expected = usual_overlap(result, camera, index);
     const double drop = expected.overlap - overlap;
     const double missing = 0.9 * std::clamp(1.0 - overlap, 0.0, 1.0);
+    const bool is_covered = uncovered_in(result.frames[index], camera) < kCovered;
     severity = std::max(severity, missing);
     if (drop > std::max(kLeastDrop, 4.0 * expected.sigma)) {
       reasons.emplace_back(missing, fmt::format("overlap in {} {:.2f}, around it {:.2f}", camera,
                                                 overlap, expected.overlap));
-    } else if (overlap < kLeastOverlap) {
+    } else if (overlap < (is_covered ? kLeastCoveredOverlap : kLeastOverlap)) {
       reasons.emplace_back(missing, fmt::format("overlap in {} only {:.2f}", camera, overlap));
     }
   }
@@ -103,6 +163,7 @@ std::vector<FrameDoubt> frame_doubts(const Result& result) {
     } else {
       if (frame.status != "ok") reasons.emplace_back(0.95, frame.status);
       doubt_overlaps(result, i, severity, reasons);
+      doubt_uncovered(frame, severity, reasons);
       if (frame.views.size() < kEnoughViews &&
           static_cast<double>(frame.views.size()) < view_count) {
         reasons.emplace_back(0.5, fmt::format("seen by {} cameras only", frame.views.size()));
@@ -150,10 +211,23 @@ FitVerdict fit_verdict(const Result& result, const std::vector<FrameDoubt>& doub
       doubts.empty() ? 0.0
                      : static_cast<double>(verdict.trusted) / static_cast<double>(doubts.size());
   // A cold object eats up to half of a silhouette; what is left must still be covered.
-  verdict.word = share >= 0.9 && verdict.mean_overlap >= 0.75  ? "good"
-                 : share >= 0.6 && verdict.mean_overlap >= 0.6 ? "fair"
-                                                               : "poor";
-  verdict.sentence = fmt::format("{} of {} frames can be trusted.", verdict.trusted, doubts.size());
+  const double uncovered = mean_uncovered(result);
+  const auto reaches = [&](double least_share, double least_overlap, double most_uncovered) {
+    return share >= least_share && verdict.mean_overlap >= least_overlap &&
+           uncovered <= most_uncovered;
+  };
+  verdict.word = reaches(0.9, 0.75, kGoodUncovered)  ? "good"
+                 : reaches(0.6, 0.6, kFairUncovered) ? "fair"
+                                                     : "poor";
+  verdict.sentence = fmt::format("{} of {} frames can be trusted.{}", verdict.trusted,
+                                 doubts.size(), left_out_views(result));
+  if (uncovered > kGoodUncovered) {
+    verdict.sentence += fmt::format(
+        " The seen hand reaches {:.1f} mm beyond the fitted one: its pose, its size or a camera "
+        "may "
+        "be wrong.",
+        1e3 * uncovered);
+  }
   return verdict;
 }
 

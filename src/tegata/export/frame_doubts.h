@@ -22,7 +22,10 @@ struct FrameDoubt {
 /// One for each frame, in the frames' order. A frame is not to be trusted where
 /// - it has no pose, or its status is not ok;
 /// - in a camera the fitted hand covers less than half of what it and the silhouette cover
-/// together;
+/// together; less than a quarter where all that is seen of the hand is covered, as something may
+/// hide the rest;
+/// - in a camera the border of the seen hand lies 1.5 mm outside the fitted one on average: a pose,
+/// a size or a camera is wrong;
 /// - in a camera that overlap is far below what it is in the five frames before and after: by 0.15
 ///   and by four standard deviations, taken from the median absolute deviation;
 /// - it was seen by fewer cameras than most frames and by fewer than three;

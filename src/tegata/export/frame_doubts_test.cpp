@@ -67,6 +67,36 @@ TEST(FrameDoubts, CameraThatIsAlwaysWrongIsNotUsual) {
   EXPECT_EQ(fit_verdict(result, doubts).word, "poor");
 }
 
+TEST(FrameDoubts, HandThatSomethingHidesIsTrustedWhileAllThatIsSeenIsCovered) {
+  Result result = even_result(6);
+  for (ResultFrame& frame : result.frames) {
+    frame.silhouette_iou["b"] = 0.4;
+    frame.uncovered = {{"a", 0.0}, {"b", 1e-4}, {"c", 2e-4}};
+  }
+  EXPECT_EQ(fit_verdict(result, frame_doubts(result)).trusted, 6u);
+  for (ResultFrame& frame : result.frames) frame.silhouette_iou["b"] = 0.2;
+  EXPECT_EQ(only_reason(frame_doubts(result)[2]), "overlap in b only 0.20");
+}
+
+TEST(FrameDoubts, WrongPoseWithAFairOverlapIsNotTrusted) {
+  Result result = even_result(6);
+  for (ResultFrame& frame : result.frames) frame.uncovered = {{"a", 3e-4}, {"c", 0.0025}};
+  const auto doubts = frame_doubts(result);
+  EXPECT_EQ(only_reason(doubts[3]), "the hand in c reaches 2.5 mm beyond the fitted one");
+  const FitVerdict verdict = fit_verdict(result, doubts);
+  EXPECT_EQ(verdict.word, "poor");
+  EXPECT_NE(verdict.sentence.find("2.5 mm beyond"), std::string::npos) << verdict.sentence;
+}
+
+TEST(FrameDoubts, CameraThatWasLeftOutIsNamedWithTheReason) {
+  Result result = even_result(12);
+  for (const std::size_t broken : {3u, 5u, 7u}) result.frames[broken].left_out["b"] = "it is dark";
+  const auto doubts = frame_doubts(result);
+  EXPECT_TRUE(doubts[5].reasons.empty());
+  EXPECT_EQ(fit_verdict(result, doubts).sentence,
+            "12 of 12 frames can be trusted. b was left out of 3: it is dark.");
+}
+
 TEST(FrameDoubts, JumpAndMissingViewsAreSaid) {
   Result result = even_result(12);
   result.frames[4].pose->world_from_hand.translation.y() = 0.08;

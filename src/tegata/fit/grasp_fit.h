@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tegata/base/observer.h"
@@ -31,6 +32,8 @@ struct GraspFit {
   JointAngles angles;               ///< shared, or the mean of the frames'
   JointAngles standard_deviations;  ///< of `angles` [rad]
   HiddenObject object;              ///< empty with a free grasp
+  /// Cameras whose views contradicted the others and were left out, for each frame.
+  std::vector<std::vector<std::string>> left_out;
   int iterations = 0;
   Termination termination = Termination::iteration_limit;
   double frame_seconds = 0.0, all_frames_seconds = 0.0;
@@ -40,8 +43,10 @@ struct GraspFit {
 /// the ends of its hull; each next one from the one before, and from the ends of its hull as well
 /// where that fits far worse than frames did before; then frames spread over all at once with one
 /// set of angles (joint_fit.h), so that frames in which something hides a finger lose their
-/// influence on it; then the others with these angles. A soft grasp lets each frame's angles depart
-/// from there last.
+/// influence on it; then the others with these angles. Views that contradict the others of their
+/// frame are left out (contradiction.h). Where much of the seen hand lies beside the fitted one and
+/// no landmarks say where it begins, all is done once more from the last frame backwards, and what
+/// covers more of the hand is kept. A soft grasp lets each frame's angles depart from there last.
 /// `frames` must not be empty and each needs a hull; throws Error otherwise.
 GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
                    const GraspFitOptions& options, const Observer& observer);

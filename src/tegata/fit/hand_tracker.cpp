@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tegata/fit/joint_fit.h"
+#include "tegata/fit/known_grasp.h"
 #include "tegata/fit/start.h"
 #include "tegata/fit/support.h"
 #include "tegata/math/median.h"

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "tegata/fit/contradiction.h"
 #include "tegata/fit/digit_search.h"
+#include "tegata/fit/known_grasp.h"
 #include "tegata/fit/surroundings.h"
 #include "tegata/math/median.h"
 
@@ -68,7 +70,7 @@ Rigid3d expected_pose(const std::vector<Rigid3d>& poses, std::size_t f) {
 // Seeks frames that a hand which moves evenly would have elsewhere from there, with the angles and
 // the object known: what hides the hand may look as if the hand were beside where it is.
 void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
-                const HiddenObject& object, const JointFitOptions& options,
+                const TriangleMesh& object, const JointFitOptions& options,
                 HandEstimate& estimate) {
   if (frames.size() < 3) return;
   const std::vector<Rigid3d> poses = estimate.world_from_hand;
@@ -79,9 +81,11 @@ void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
       continue;
     }
     // Twice: what stands about the hand is drawn where each begins, here nearly where it ends.
-    FrameFit there = fit_known(hand, *frames[f], {expected, estimate.angles}, object, options);
-    there = fit_known(hand, *frames[f], there.pose, object, options);
-    const FrameFit here = fit_known(hand, *frames[f], {poses[f], estimate.angles}, object, options);
+    const auto fit_from = [&](const HandPose& start) {
+      return fit_known(hand, *frames[f], start, object, options.with_object);
+    };
+    const FrameFit there = fit_from(fit_from({expected, estimate.angles}).pose);
+    const FrameFit here = fit_from({poses[f], estimate.angles});
     if (there.report.energy < here.report.energy) {
       estimate.world_from_hand[f] = there.pose.world_from_hand;
     }
@@ -110,28 +114,28 @@ SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames
   return report;
 }
 
+// Leaves views out that contradict the others; true where there were any.
+bool leave_out_contradictions(const FitHand& hand, const TriangleMesh& object,
+                              const JointFitOptions& options, AgreeingFrames& agreeing,
+                              HandEstimate& estimate) {
+  std::vector<HandPose> poses = estimate.poses();
+  const bool is_any = agreeing.leave_out_contradictions(
+      hand, poses, object, {options.with_object, options.hull}, options.threads);
+  for (std::size_t f = 0; f < poses.size(); ++f) {
+    estimate.world_from_hand[f] = poses[f].world_from_hand;
+  }
+  return is_any;
+}
+
 }  // namespace
 
-Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last) {
-  return last * (before.inverse() * last);
-}
-
-FrameFit fit_known(const FitHand& hand, const FitFrame& frame, const HandPose& start,
-                   const HiddenObject& object, const JointFitOptions& options,
-                   AngleDeviations deviations) {
-  const FitSchedule schedule = holding({options.with_object}, start.angles, deviations).front();
-  const FitFrame* const one[] = {&frame};
-  const std::vector<FitFrame> surrounded =
-      with_surroundings(hand, one, {start.angles, {start.world_from_hand}}, object.surface, 1);
-  return fit_frame(hand, surrounded.front(), start, schedule);
-}
-
-JointFit fit_jointly(const FitHand& hand, std::span<const FitFrame* const> frames,
-                     HandEstimate start, const JointFitOptions& options, const Observer& observer) {
+JointFit fit_jointly(const FitHand& hand, AgreeingFrames& agreeing, HandEstimate start,
+                     const JointFitOptions& options, const Observer& observer) {
   JointFit fit;
   fit.estimate = std::move(start);
   HandEstimate& estimate = fit.estimate;
   const auto rounds = static_cast<std::size_t>(options.object_rounds) + 1;
+  const std::vector<const FitFrame*>& frames = agreeing.frames();
   std::vector<FitFrame> surrounded;
   std::vector<bool> settled(frames.size(), false);
   int iterations = 0;
@@ -149,10 +153,16 @@ JointFit fit_jointly(const FitHand& hand, std::span<const FitFrame* const> frame
     surrounded = with_surroundings(hand, frames, estimate, {}, options.threads);
     fit.object = find_hidden_object(hand, pointers_to(surrounded), estimate, options.object,
                                     options.threads);
-    seek_jumps(hand, frames, fit.object, options, estimate);
+    seek_jumps(hand, frames, fit.object.surface, options, estimate);
     const bool is_any = !fit.object.surface.triangles.empty();
-    settle_among(is_any ? options.with_object : options.all_frames, round == 1);
-    if (!is_any && round > 1) break;
+    const FitSchedule& schedule = is_any ? options.with_object : options.all_frames;
+    settle_among(schedule, round == 1);
+    if (leave_out_contradictions(hand, fit.object.surface, options, agreeing, estimate)) {
+      settled.assign(frames.size(), false);
+      settle_among(schedule, false);
+    } else if (!is_any && round > 1) {
+      break;
+    }
   }
   observer.progress("all frames", rounds, rounds);
   fit.report.iterations = iterations;

@@ -5,9 +5,10 @@
 #include <span>
 
 #include "tegata/base/observer.h"
+#include "tegata/fit/contradiction.h"
 #include "tegata/fit/frame_fit.h"
 #include "tegata/fit/hidden_object.h"
-#include "tegata/math/rigid3d.h"
+#include "tegata/hull/visual_hull.h"
 
 namespace tegata {
 
@@ -17,6 +18,7 @@ struct JointFitOptions {
   /// Once the object is known that hides the hand.
   FitSchedule with_object = object_schedule();
   HiddenObjectOptions object;
+  HullOptions hull;  ///< of the views that are left where one contradicts the others
   /// So often the object is found from the hand and the hand with the object. 0: neither it is
   /// looked for, nor digits in other places: for estimates of the hand's size.
   int object_rounds = 3;
@@ -31,17 +33,10 @@ struct JointFit {
 
 /// Fits all frames at once with one set of angles (the paper, V: simultaneous estimation), from
 /// what each frame alone has found: what stands about the hand is found, digits are tried in other
-/// places, frames at other poses. Frames need hulls, and there must be one or more.
-JointFit fit_jointly(const FitHand& hand, std::span<const FitFrame* const> frames,
-                     HandEstimate start, const JointFitOptions& options, const Observer& observer);
-
-/// The pose of a further frame of the same grasp, from about where it is, with the object known and
-/// the angles held near those of the start.
-FrameFit fit_known(const FitHand& hand, const FitFrame& frame, const HandPose& start,
-                   const HiddenObject& object, const JointFitOptions& options,
-                   AngleDeviations deviations = kKnownDeviations);
-
-/// Where the hand would be if it went on as it went from one pose to the next.
-Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last);
+/// places, frames at other poses, and views that contradict the others of their frame are left
+/// out from there.
+/// Frames need hulls, and there must be one or more.
+JointFit fit_jointly(const FitHand& hand, AgreeingFrames& agreeing, HandEstimate start,
+                     const JointFitOptions& options, const Observer& observer);
 
 }  // namespace tegata

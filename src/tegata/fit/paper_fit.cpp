@@ -19,7 +19,6 @@ namespace tegata {
 namespace {
 
 constexpr double kHandRadius = 0.07;  // about the hand's centre [m], so that turns weigh as shifts
-constexpr std::size_t kMiddleMcp = 9;
 
 TriangleMesh proven_part(const TriangleMesh& hull) {
   TriangleMesh proven = hull;

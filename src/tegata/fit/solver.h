@@ -24,6 +24,11 @@ struct HandEstimate {
   std::vector<Rigid3d> world_from_hand;
 
   HandPose pose(std::size_t frame) const { return {world_from_hand[frame], angles}; }
+  std::vector<HandPose> poses() const {
+    std::vector<HandPose> all;
+    for (const Rigid3d& one : world_from_hand) all.push_back({one, angles});
+    return all;
+  }
 };
 
 /// Which terms count in a stage of the estimation; an absent term is not evaluated.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/fit/support.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tegata/image/distance_transform.h"
@@ -11,6 +12,8 @@ namespace tegata {
 namespace {
 
 constexpr float kNearlyInsidePx = 2.0F;
+// What is uncovered by less may be the picture's noise [px]; more is as bad as this [m].
+constexpr double kLeastUncoveredPx = 1.0, kMostUncovered = 0.02;
 
 bool is_backed(const Eigen::Vector3d& vertex, const std::vector<FitView>& views) {
   bool is_shown = false;
@@ -40,8 +43,9 @@ class WristLine {
     constexpr double kLeastForeshortening = 0.2;
     if (along.norm() > kLeastForeshortening * length_px) direction_ = along.normalized();
   }
-  bool is_finger_side(int x, int y) const {
-    return direction_.dot(Eigen::Vector2d(x, y) - wrist_) >= 0.0;
+  bool is_there() const { return !direction_.isZero(); }
+  bool is_finger_side(const Eigen::Vector2d& pixel) const {
+    return direction_.dot(pixel - wrist_) >= 0.0;
   }
 
  private:
@@ -81,12 +85,37 @@ double silhouette_overlap(const FitHand& hand, const PosedHand& posed, const Fit
       const bool is_drawn = drawn(x, y) == PixelLabel::hand;
       const bool is_seen = view.silhouette(x, y) == PixelLabel::hand;
       if (!is_drawn && !is_seen) continue;
-      if (view.silhouette(x, y) == PixelLabel::unknown || !wrist.is_finger_side(x, y)) continue;
+      if (view.silhouette(x, y) == PixelLabel::unknown ||
+          !wrist.is_finger_side(Eigen::Vector2d(x, y)))
+        continue;
       either += 1;
       if (is_drawn && is_seen) both += 1;
     }
   }
   return either == 0 ? 0.0 : static_cast<double>(both) / static_cast<double>(either);
+}
+
+std::optional<double> uncovered_distance(const FitHand& hand, const PosedHand& posed,
+                                         const FitView& view) {
+  const WristLine wrist(posed, view.camera);
+  if (!wrist.is_there()) return std::nullopt;
+  const Image<float> inside =
+      signed_distance(render_silhouette(posed.surface(), view.camera),
+                      [](PixelLabel label) { return label == PixelLabel::hand; });
+  const double metres_per_px =
+      (view.camera.camera_from_world * posed.keypoints()[kMiddleMcp]).z() / view.camera.fx;
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const ContourPoint& point : view.contour) {
+    if (!wrist.is_finger_side(point.pixel) || view.is_forearm(point.pixel)) continue;
+    const double outside_px = -sample_bilinear(inside, point.pixel.x(), point.pixel.y());
+    if (outside_px > kLeastUncoveredPx) {
+      sum += std::min(metres_per_px * outside_px, kMostUncovered * hand.scale);
+    }
+    count += 1;
+  }
+  if (count == 0) return std::nullopt;
+  return sum / static_cast<double>(count);
 }
 
 }  // namespace tegata

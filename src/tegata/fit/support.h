@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "tegata/fit/fit_hand.h"
@@ -21,5 +22,12 @@ std::array<double, kBoneCount> bone_support(const FitHand& hand, const PosedHand
 /// finger side of the wrist: pixels nearer to the forearm's part of the picture than to the hand's
 /// are left out, as are unknown pixels. 0 where nothing overlaps.
 double silhouette_overlap(const FitHand& hand, const PosedHand& posed, const FitView& view);
+
+/// How far the border of the seen hand lies outside the posed one [m]: the mean, over the border on
+/// the finger side of the wrist, of the distance in the picture at the hand's depth, where it is
+/// more than a pixel and up to 20 mm. Nothing that hides the hand makes it larger. Nothing where no
+/// border is seen there or the view is along the forearm, which looks like hand.
+std::optional<double> uncovered_distance(const FitHand& hand, const PosedHand& posed,
+                                         const FitView& view);
 
 }  // namespace tegata

@@ -61,5 +61,25 @@ TEST(Support, TheForearmDoesNotCountInTheOverlap) {
   EXPECT_GT(silhouette_overlap(FitHand(hand), posed, view), 0.93);
 }
 
+TEST(Support, WhatIsSeenBesideThePosedHandIsUncoveredAndWhatIsHiddenIsNot) {
+  const HandModel& hand = test::coarse_hand();
+  const FitHand fit_hand(hand);
+  HandPose pose = test::grasping_pose(0.2);
+  FitFrame frame = test::perfect_frame(hand, pose, test::orthogonal_rig(0.8));
+  const auto uncovered = [&](const HandPose& at, std::size_t view) {
+    return uncovered_distance(fit_hand, PosedHand(hand, at), frame.views[view]).value_or(-1.0);
+  };
+  EXPECT_LT(uncovered(pose, 0), 1e-5);
+  Silhouette& seen = frame.views[0].silhouette;
+  for (int y = 0; y < seen.height(); ++y) {
+    for (int x = 0; x < seen.width() / 2; ++x) seen(x, y) = PixelLabel::background;
+  }
+  frame.views[0] = make_fit_view(frame.views[0].camera, frame.views[0].silhouette);
+  EXPECT_LT(uncovered(pose, 0), 1e-5);
+  pose.world_from_hand.translation.z() += 0.01;
+  EXPECT_GT(uncovered(pose, 1), 1e-3);
+  EXPECT_LT(uncovered(pose, 1), 0.01);
+}
+
 }  // namespace
 }  // namespace tegata

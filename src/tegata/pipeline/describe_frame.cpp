@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/pipeline/describe_frame.h"
 
+#include <optional>
+
 #include "tegata/fit/support.h"
 
 namespace tegata {
 namespace {
 
-// Below this mean overlap of a frame's silhouettes the pose is given, but not called ok. The object
-// eats up to half of a hand's silhouette in infrared.
-constexpr double kLeastOverlap = 0.5;
+// With a lower mean overlap of a frame's silhouettes or more of the seen hand beside the fitted one
+// [m], on average, the pose is given but not called ok. In infrared an object eats half of a hand's
+// silhouette and more.
+constexpr double kLeastOverlap = 0.35, kMostUncovered = 0.003;
 
 }  // namespace
 
@@ -22,15 +25,23 @@ ResultFrame describe_frame(const FitHand& hand, const HandPose& pose,
   frame.pose = pose;
   frame.keypoints = posed.keypoints();
   frame.support = bone_support(hand, posed, prepared.frame.views);
-  double sum = 0.0;
+  frame.left_out = prepared.left_out;
+  double sum = 0.0, uncovered_sum = 0.0;
   for (const FitView& view : prepared.frame.views) {
     const double overlap = silhouette_overlap(hand, posed, view);
     frame.views.push_back(view.camera.name);
     frame.silhouette_iou[view.camera.name] = overlap;
+    if (const std::optional<double> uncovered = uncovered_distance(hand, posed, view)) {
+      frame.uncovered[view.camera.name] = *uncovered;
+      uncovered_sum += *uncovered;
+    }
     sum += overlap;
   }
   if (sum < kLeastOverlap * static_cast<double>(frame.views.size())) {
     frame.status = "poor overlap with the silhouettes";
+  } else if (uncovered_sum >
+             kMostUncovered * hand.scale * static_cast<double>(frame.uncovered.size())) {
+    frame.status = "the seen hand reaches beyond the fitted one";
   }
   return frame;
 }
@@ -40,6 +51,7 @@ ResultFrame describe_missing(const PreparedFrame& prepared, const std::string& w
   frame.name = prepared.name;
   frame.time = prepared.time;
   frame.status = why;
+  frame.left_out = prepared.left_out;
   return frame;
 }
 

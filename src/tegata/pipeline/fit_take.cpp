@@ -20,6 +20,16 @@ double sum_of(const std::vector<PreparedFrame>& frames, double PreparedFrame::*s
                                [seconds](const PreparedFrame& frame) { return frame.*seconds; });
 }
 
+// A frame without the views that contradicted its others.
+PreparedFrame without(PreparedFrame frame, const std::vector<std::string>& cameras) {
+  for (const std::string& camera : cameras) {
+    frame.left_out[camera] = "it contradicts the other cameras";
+    std::erase_if(frame.frame.views,
+                  [&camera](const FitView& view) { return view.camera.name == camera; });
+  }
+  return frame;
+}
+
 }  // namespace
 
 Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& options,
@@ -29,6 +39,7 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   const std::vector<const FitFrame*> frames = prepared.fit_frames();
   GraspFitOptions fit_options = options.fit;
   fit_options.threads = options.threads;
+  fit_options.joint.hull = options.hull;
   Result result;
   result.model_scale = options.scale.value_or(1.0);
   if (!options.scale) {
@@ -55,7 +66,9 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   std::size_t next = 0;
   for (const PreparedFrame& from : prepared.frames) {
     if (from.refusal.empty()) {
-      result.frames.push_back(describe_frame(hand, grasp.poses[next++], from));
+      result.frames.push_back(
+          describe_frame(hand, grasp.poses[next], without(from, grasp.left_out[next])));
+      next += 1;
     } else {
       result.frames.push_back(describe_missing(from, from.refusal));
     }

@@ -21,11 +21,15 @@ FrameViews frame_views(const Segmenter& segmenter, const TakeFrame& pictures) {
   const Stopwatch watch;
   const std::vector<std::optional<Silhouette>> silhouettes = segmenter.segment(pictures);
   for (std::size_t c = 0; c < silhouettes.size(); ++c) {
-    if (!silhouettes[c]) continue;
     const Camera& camera = segmenter.rig()[c];
+    if (!silhouettes[c]) {
+      frame.left_out[camera.name] = "there is no picture";
+      continue;
+    }
     if (count_pixels(*silhouettes[c], PixelLabel::hand) == 0) {
       frame.notes.push_back(text("frame ", pictures.name, ", camera '", camera.name,
                                  "': no hand was found in the picture, the view is left out"));
+      frame.left_out[camera.name] = "no hand was found in the picture";
       continue;
     }
     frame.views.push_back({camera.undistorted(), segmenter.undistorted(*silhouettes[c], c)});

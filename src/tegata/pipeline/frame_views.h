@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct FrameViews {
   double time = 0.0;               ///< [s]
   std::string refusal;             ///< why nothing can be made of it; empty where it can
   std::vector<std::string> notes;  ///< what a user should know of it
-  std::vector<HullView> views;     ///< in which the hand was seen: the others are noted
-  double seconds = 0.0;            ///< of segmentation and undistortion
+  std::vector<HullView> views;     ///< in which the hand was seen
+  std::map<std::string, std::string> left_out;  ///< why, by camera of the other pictures
+  double seconds = 0.0;                         ///< of segmentation and undistortion
 };
 
 /// Segments and undistorts a frame's pictures. A view without any hand pixel is left out: one

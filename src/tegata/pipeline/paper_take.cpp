@@ -28,6 +28,7 @@ GraspFit fit_grasp_by_paper(const FitHand& hand, const PreparedTake& take,
   PaperFit fit = fit_paper(hand, paper_frames(take), paper_options, observer);
   GraspFit grasp;
   grasp.poses = std::move(fit.poses);
+  grasp.left_out.resize(grasp.poses.size());
   grasp.angles = fit.angles;
   grasp.standard_deviations = fit.spread;
   grasp.iterations = fit.alternations;

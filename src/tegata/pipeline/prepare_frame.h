@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -16,11 +17,12 @@ namespace tegata {
 /// A frame on its way from pictures to the fit.
 struct PreparedFrame {
   std::string name;
-  double time = 0.0;               ///< [s]
-  std::string refusal;             ///< why it cannot be fitted; empty where it can
-  std::vector<std::string> notes;  ///< what a user should know of it
-  FitFrame frame;                  ///< of the views in which the hand was seen
-  TriangleMesh hull;               ///< simplified
+  double time = 0.0;                            ///< [s]
+  std::string refusal;                          ///< why it cannot be fitted; empty where it can
+  std::vector<std::string> notes;               ///< what a user should know of it
+  FitFrame frame;                               ///< of the views in which the hand was seen
+  std::map<std::string, std::string> left_out;  ///< why, by camera of the others
+  TriangleMesh hull;                            ///< simplified
   double segment_seconds = 0.0, hull_seconds = 0.0;
 };
 
@@ -31,7 +33,8 @@ PreparedFrame prepare_frame(const Segmenter& segmenter, const TakeFrame& picture
 
 /// The same without the hull, which costs the more,
 PreparedFrame prepare_views(const Segmenter& segmenter, const TakeFrame& pictures);
-/// and the hull, where it is needed after all. Where there is none that is the frame's refusal.
+/// and the hull, where it is needed after all. Where a view of four or more leaves nothing of it,
+/// that is left out; where there is none even so, that is the frame's refusal.
 void add_hull(PreparedFrame& prepared, const HullOptions& options);
 
 }  // namespace tegata

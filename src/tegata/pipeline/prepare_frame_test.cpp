@@ -34,5 +34,23 @@ TEST(PrepareFrame, TheHullHoldsTheHand) {
   EXPECT_LT(enclosed_volume(prepared.hull), 2.5 * hand_volume);
 }
 
+TEST(PrepareFrame, OfFourViewsTheOneThatEmptiesTheHullIsLeftOutAndNamed) {
+  const TestFolder folder;
+  test::write_mask_take(folder.path(), 2);
+  Take take = Take::open(folder.path());
+  PreparedFrame prepared = prepare_views(Segmenter(take, {}, {}), take.read_frame(0, {}));
+  FitView elsewhere = prepared.frame.views[0];
+  elsewhere.camera.name = "pushed";
+  elsewhere.silhouette = Silhouette(200, 160, PixelLabel::background);
+  for (int i = 0; i < 8; ++i) elsewhere.silhouette(i, i) = PixelLabel::hand;
+  prepared.frame.views.push_back(elsewhere);
+  add_hull(prepared, {});
+  EXPECT_EQ(prepared.refusal, "");
+  EXPECT_TRUE(prepared.frame.hull.has_value());
+  EXPECT_EQ(prepared.frame.views.size(), 3U);
+  EXPECT_EQ(prepared.left_out.count("pushed"), 1U);
+  EXPECT_TRUE(says(prepared.notes.back(), "pushed", "nothing in common"));
+}
+
 }  // namespace
 }  // namespace tegata

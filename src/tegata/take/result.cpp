@@ -59,7 +59,11 @@ ordered_json frame_to_json(const ResultFrame& frame) {
     }
   }
   entry["views"] = frame.views;
-  if (frame.pose) entry["silhouette_iou"] = frame.silhouette_iou;
+  if (frame.pose) {
+    entry["silhouette_iou"] = frame.silhouette_iou;
+    entry["uncovered"] = frame.uncovered;
+  }
+  if (!frame.left_out.empty()) entry["left_out"] = frame.left_out;
   return entry;
 }
 
@@ -87,6 +91,12 @@ ResultFrame frame_from_json(const JsonValue& entry) {
     const JsonValue views = entry.at("views");
     for (std::size_t i = 0; i < views.size(); ++i) frame.views.push_back(views.item(i).string());
   }
+  if (entry.has("left_out")) {
+    const JsonValue reasons = entry.at("left_out");
+    for (const std::string& camera : reasons.keys()) {
+      frame.left_out[camera] = reasons.at(camera).string();
+    }
+  }
   if (!entry.has("rotation")) {
     if (frame.status == "ok") entry.at("rotation");  // is missing
     return frame;
@@ -98,6 +108,7 @@ ResultFrame frame_from_json(const JsonValue& entry) {
   frame.keypoints = keypoints_from_json(entry.at("keypoints"));
   read_support(entry.at("support"), frame);
   frame.silhouette_iou = numbers_by_name(entry.at("silhouette_iou"));
+  if (entry.has("uncovered")) frame.uncovered = numbers_by_name(entry.at("uncovered"));
   return frame;
 }
 

@@ -15,9 +15,9 @@
 
 namespace tegata {
 
-/// What the fit says of one frame. `pose`, keypoints, support, views and overlaps mean something
-/// only where the status is "ok" or a doubt about a pose that was found; `pose` is empty where none
-/// was found.
+/// What the fit says of one frame; docs/formats.md says what each means. `pose`, keypoints,
+/// support, views and overlaps mean something only where the status is "ok" or a doubt about a pose
+/// that was found; `pose` is empty where none was found.
 struct ResultFrame {
   std::string name;
   double time = 0.0;          ///< [s]
@@ -27,6 +27,8 @@ struct ResultFrame {
   std::array<double, kBoneCount> support = {};            ///< 0 .. 1 a bone
   std::vector<std::string> views;                         ///< cameras used
   std::map<std::string, double> silhouette_iou;           ///< by camera
+  std::map<std::string, double> uncovered;                ///< by camera, where it can be said [m]
+  std::map<std::string, std::string> left_out;            ///< why, by camera that was not used
 };
 
 /// result.json in memory; see docs/formats.md.

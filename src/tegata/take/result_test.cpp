@@ -43,6 +43,8 @@ Result some_result() {
   for (double& support : fitted.support) support = random.uniform();
   fitted.views = {"right", "left"};
   fitted.silhouette_iou = {{"left", 0.97}, {"right", 0.5}};
+  fitted.uncovered = {{"left", 1.0 / 3000.0}};
+  fitted.left_out = {{"top", "it contradicts the other cameras"}};
   ResultFrame doubtful = fitted;
   doubtful.name = "000001";
   doubtful.status = "the views disagree";
@@ -101,6 +103,8 @@ TEST(Result, ReadsBackTheSameToTheBit) {
     EXPECT_EQ(a.keypoints, b.keypoints);
     EXPECT_EQ(a.support, b.support);
     EXPECT_EQ(a.silhouette_iou, b.silhouette_iou);
+    EXPECT_EQ(a.uncovered, b.uncovered);
+    EXPECT_EQ(a.left_out, b.left_out);
   }
   EXPECT_EQ(written(back), written(result));
 }

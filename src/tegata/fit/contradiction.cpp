@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The tegata authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tegata/fit/contradiction.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "tegata/base/error.h"
+#include "tegata/base/parallel.h"
+#include "tegata/fit/known_grasp.h"
+#include "tegata/fit/support.h"
+#include "tegata/math/median.h"
+
+namespace tegata {
+namespace {
+
+constexpr std::size_t kLeastViews = 3;
+
+// How much of a seen hand lies uncovered on average, beyond what is usual [m]: a frame is looked at
+// where one view has more than the first, a view contradicts the others where it has more than the
+// second and they are left with less than the third.
+constexpr double kSuspicious = 3e-4, kContradictory = 5e-4, kAgreeing = 1e-4;
+constexpr double kSuspiciousRatio = 3.0, kAgreeingRatio = 1.5;
+// Or with less than this part of what is uncovered in the view that contradicts them.
+constexpr double kAgreeingShare = 0.1;
+
+using Uncovered = std::vector<double>;  // one a view [m]; 0 where nothing can be said
+
+Uncovered uncovered(const FitHand& hand, const FitFrame& frame, const HandPose& pose) {
+  const PosedHand posed = hand.posed(pose);
+  Uncovered distances;
+  for (const FitView& view : frame.views) {
+    distances.push_back(uncovered_distance(hand, posed, view).value_or(0.0));
+  }
+  return distances;
+}
+
+FitFrame without_view(const FitFrame& frame, std::size_t view) {
+  FitFrame others = frame;
+  others.views.erase(others.views.begin() + static_cast<std::ptrdiff_t>(view));
+  return others;
+}
+
+FitFrame without_view(const FitFrame& frame, std::size_t view, const HullOptions& hull) {
+  FitFrame others = without_view(frame, view);
+  std::vector<HullView> views;
+  for (const FitView& other : others.views) views.push_back({other.camera, other.silhouette});
+  try {
+    others.hull.emplace(visual_hull(views, hull));
+  } catch (const Error&) {
+    others.hull.reset();
+  }
+  return others;
+}
+
+/// A frame's views but one, and the hand by them.
+struct Hypothesis {
+  double without = 0.0;  // uncovered in the view that was left out
+  double others = 0.0;   // and in the others, on average
+  HandPose pose;
+};
+
+Hypothesis leave_out(const FitHand& hand, const FitFrame& frame, std::size_t view,
+                     const HandPose& start, const TriangleMesh& object,
+                     const FitSchedule& schedule) {
+  const FitFrame others = without_view(frame, view);
+  // Twice: what stands about the hand is drawn where each begins, here nearly where it ends.
+  HandPose pose = fit_known(hand, others, start, object, schedule).pose;
+  pose = fit_known(hand, others, pose, object, schedule).pose;
+  // The angles were free to move a little; the pose alone is of the frame.
+  pose.angles = start.angles;
+  const Uncovered left = uncovered(hand, frame, pose);
+  const double all = std::accumulate(left.begin(), left.end(), 0.0);
+  return {left[view], (all - left[view]) / static_cast<double>(others.views.size()), pose};
+}
+
+}  // namespace
+
+std::vector<Contradiction> find_contradictions(const FitHand& hand,
+                                               std::span<const FitFrame* const> frames,
+                                               const std::vector<HandPose>& poses,
+                                               const TriangleMesh& object,
+                                               const ContradictionOptions& options, int threads) {
+  std::vector<Uncovered> left(frames.size());
+  parallel_for(frames.size(), threads,
+               [&](std::size_t f) { left[f] = uncovered(hand, *frames[f], poses[f]); });
+  std::vector<double> all;
+  for (const Uncovered& distances : left) all.insert(all.end(), distances.begin(), distances.end());
+  const double usual = all.empty() ? 0.0 : median(all);
+  const double suspicious = kSuspicious * hand.scale + kSuspiciousRatio * usual;
+  const double contradictory = kContradictory * hand.scale + kSuspiciousRatio * usual;
+  const double agreeing = kAgreeing * hand.scale + kAgreeingRatio * usual;
+
+  std::vector<std::optional<Contradiction>> found(frames.size());
+  parallel_for(frames.size(), threads, [&](std::size_t f) {
+    const std::size_t count = frames[f]->views.size();
+    if (count < kLeastViews || *std::max_element(left[f].begin(), left[f].end()) < suspicious) {
+      return;
+    }
+    std::optional<Hypothesis> best;
+    for (std::size_t v = 0; v < count; ++v) {
+      const Hypothesis now = leave_out(hand, *frames[f], v, poses[f], object, options.schedule);
+      if (best && now.others >= best->others) continue;
+      best = now;
+      found[f] = {f, v, now.pose};
+    }
+    if (best->without < contradictory ||
+        best->others > std::max(agreeing, kAgreeingShare * best->without)) {
+      found[f].reset();
+    }
+  });
+  std::vector<Contradiction> contradictions;
+  for (const std::optional<Contradiction>& one : found) {
+    if (one) contradictions.push_back(*one);
+  }
+  return contradictions;
+}
+
+AgreeingFrames::AgreeingFrames(std::span<const FitFrame* const> frames)
+    : frames_(frames.begin(), frames.end()), mended_(frames.size()), left_out_(frames.size()) {}
+
+bool AgreeingFrames::leave_out_contradictions(const FitHand& hand, std::vector<HandPose>& poses,
+                                              const TriangleMesh& object,
+                                              const ContradictionOptions& options, int threads) {
+  const std::vector<Contradiction> found =
+      find_contradictions(hand, frames_, poses, object, options, threads);
+  for (const auto& [f, view, pose] : found) {
+    left_out_[f].push_back(frames_[f]->views[view].camera.name);
+    mended_[f] = std::make_unique<const FitFrame>(without_view(*frames_[f], view, options.hull));
+    frames_[f] = mended_[f].get();
+    poses[f] = pose;
+  }
+  return !found.empty();
+}
+
+}  // namespace tegata
