@@ -20,7 +20,7 @@ constexpr double kLeastDrop = 0.15, kLeastJump = 0.03;
 // More of a seen hand beside the fitted one than a hand of a somewhat other shape has [m].
 constexpr double kMostUncovered = 1.5e-3;
 // Over all frames, of a result that is good and that is fair [m].
-constexpr double kGoodUncovered = 1e-3, kFairUncovered = 2e-3;
+constexpr double kGoodUncovered = 5e-4, kFairUncovered = 2e-3;
 constexpr double kSigmaOfDeviation = 1.4826;  // of a normal distribution
 constexpr std::size_t kEnoughViews = 3, kFramesAround = 5;
 

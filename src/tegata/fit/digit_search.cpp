@@ -64,6 +64,15 @@ std::vector<JointAngles> proposals(const JointAngles& angles) {
     const DigitAngles first = digit_angles(angles, digit), second = digit_angles(angles, digit + 1);
     propose(with_bend(with_bend(angles, digit, second), digit + 1, first));
   }
+  // A hand that is turned a little has every finger in the place of the next.
+  for (const int step : {1, -1}) {
+    JointAngles shifted = angles;
+    for (int digit = 1; digit < kDigitCount; ++digit) {
+      const int from = std::clamp(digit + step, 1, kDigitCount - 1);
+      shifted = with_bend(shifted, digit, digit_angles(angles, from));
+    }
+    propose(shifted);
+  }
   for (int like = 1; like < kDigitCount; ++like) {
     JointAngles all = angles;
     for (int digit = 1; digit < kDigitCount; ++digit) {

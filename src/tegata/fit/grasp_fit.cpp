@@ -22,7 +22,7 @@ constexpr double kFollowedEnergyRatio = 1.2;
 // A tracked frame whose energy is so many times the median of those before may be lost.
 constexpr double kLostEnergyRatio = 2.0;
 // With more of the seen hand beside the fitted one [m] the start was probably wrong.
-constexpr double kLikelyUncovered = 1.2e-3;
+constexpr double kLikelyUncovered = 4e-4;
 // From the normal equations' deviations to true ones: neighbouring residuals are not independent.
 // Chosen with hands of known shape on 15 simulated takes (three grasps, three infrared cameras, ten
 // frames): with 0.6, 55 % of the true angles lay within one. A hand of another shape than the
