@@ -35,6 +35,27 @@ TEST(Experiment, Table1HasEveryFitAndTheSameBytesForOneAndTwoThreads) {
   }
 }
 
+TEST(Experiment, AccuracyFitsAndMeasuresEveryGrasp) {
+  const TestFolder folder;
+  const ProgramRun run =
+      run_program({"experiment", "accuracy", "--mode", "clean", "--seeds", "1", "--frames", "1",
+                   "-o", (folder / "suite").string(), "--json", "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out, read_text(folder / "suite" / "accuracy.json"));
+  EXPECT_EQ(names_in(folder / "suite"),
+            (std::vector<std::string>{"accuracy.json", "accuracy.txt"}));
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["modes"].size(), 1u);
+  const auto& takes = json["modes"]["clean"]["takes"];
+  ASSERT_EQ(takes.size(), 3u);
+  for (const auto& take : takes) {
+    EXPECT_GT(take["surface_error_mm"], 0.0) << take;
+    EXPECT_LT(take["surface_error_mm"], 5.0) << take;
+    EXPECT_GT(take["thumb_error_deg"], 0.0) << take;
+  }
+  EXPECT_EQ(run_program({"experiment", "accuracy", "--mode", "fog"}).exit_code, 2);
+}
+
 TEST(Experiment, PaperMethodFitsATakeFromTheCommandLine) {
   const TestFolder folder;
   const std::string take = (folder / "take").string(), result = (folder / "result").string();

@@ -5,33 +5,19 @@
 #include <cmath>
 #include <mutex>
 
-#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
 #include "tegata/base/text.h"
-#include "tegata/evaluate/surface_error.h"
+#include "tegata/experiment/known_take.h"
 #include "tegata/fit/support.h"
 #include "tegata/hand/built_in_hand.h"
-#include "tegata/mesh/mesh_file.h"
 #include "tegata/pipeline/paper_take.h"
-#include "tegata/sim/virtual_room.h"
-#include "tegata/take/truth.h"
 
 namespace tegata {
 namespace {
 
-namespace fs = std::filesystem;
-
-// A take, prepared, and what is known of it.
-struct KnownTake {
-  PreparedTake prepared;
-  std::vector<TruthFrame> truth;       // of the usable frames
-  std::vector<TriangleMesh> surfaces;  // the true ones
-};
-
 KnownTake make_take(const HandModel& hand, SimulatedGrasp grasp, std::uint64_t seed,
                     const Table1Options& options) {
-  const fs::path folder = options.folder / text(simulated_grasp_name(grasp), "-", seed);
   SimulationOptions room;
   room.grasp = grasp;
   room.seed = seed;
@@ -39,37 +25,12 @@ KnownTake make_take(const HandModel& hand, SimulatedGrasp grasp, std::uint64_t s
   room.width = options.width;
   room.height = options.height;
   room.threads = 1;
-  simulate_take(hand, room, folder, false, {});
-  KnownTake known;
-  Take take = Take::open(folder);
-  PrepareOptions prepare;
-  prepare.threads = 1;
-  known.prepared = prepare_take(take, prepare, {});
-  const Truth truth = read_truth_json(folder / "truth.json");
-  for (const std::size_t i : known.prepared.usable) {
-    known.truth.push_back(truth.frames[i]);
-    known.surfaces.push_back(read_ply(folder / "truth" / (truth.frames[i].name + ".ply")));
-  }
-  fs::remove_all(folder);
-  return known;
+  return make_known_take(hand, room, options.folder / text(simulated_grasp_name(grasp), "-", seed));
 }
 
 FitError error_of(const HandModel& hand, const std::vector<HandPose>& poses,
                   const KnownTake& known) {
-  FitError error;
-  const double count = static_cast<double>(poses.size());
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    const TruthFrame& truth = known.truth[k];
-    const Eigen::Vector3d along =
-        (truth.keypoints[kMiddleMcp] - truth.keypoints[kWrist]).normalized();
-    error.surface_mm += 1000.0 *
-                        surface_error(PosedHand(hand, poses[k]).surface(), known.surfaces[k],
-                                      {along, truth.keypoints[kWrist]}) /
-                        count;
-    error.angle_deg +=
-        kDegreesPerRadian * (poses[k].angles - *truth.angles).cwiseAbs().mean() / count;
-  }
-  return error;
+  return {surface_error_mm(hand, poses, known), angle_error_deg(poses, known, kAngleCount)};
 }
 
 struct TakeErrors {
