@@ -17,10 +17,11 @@ namespace {
 // (by less than kCovered [m]) less is enough.
 constexpr double kLeastOverlap = 0.5, kLeastCoveredOverlap = 0.25, kCovered = 5e-4;
 constexpr double kLeastDrop = 0.15, kLeastJump = 0.03;
-// More of a seen hand beside the fitted one than a hand of a somewhat other shape has [m].
-constexpr double kMostUncovered = 1.5e-3;
+// More of a seen hand beside the fitted one than so much [m] and so many times what is usual in the
+// frames' worst views: a hand of another shape has some in all.
+constexpr double kMostUncovered = 1.5e-3, kMostUncoveredRatio = 3.0;
 // Over all frames, of a result that is good and that is fair [m].
-constexpr double kGoodUncovered = 5e-4, kFairUncovered = 2e-3;
+constexpr double kGoodUncovered = 5e-4, kFairUncovered = 4e-3;
 constexpr double kSigmaOfDeviation = 1.4826;  // of a normal distribution
 constexpr std::size_t kEnoughViews = 3, kFramesAround = 5;
 
@@ -93,12 +94,21 @@ std::optional<std::pair<std::string, double>> most_uncovered(const ResultFrame& 
   return *most;
 }
 
-void doubt_uncovered(const ResultFrame& frame, double& severity, std::vector<Reason>& reasons) {
+double usual_uncovered(const Result& result) {
+  std::vector<double> values;
+  for (const ResultFrame& frame : result.frames) {
+    if (const auto most = most_uncovered(frame)) values.push_back(most->second);
+  }
+  return median(std::move(values));
+}
+
+void doubt_uncovered(const ResultFrame& frame, double usual, double& severity,
+                     std::vector<Reason>& reasons) {
   const auto most = most_uncovered(frame);
   if (!most) return;
   const double weight = 0.9 * std::min(1.0, most->second / (4.0 * kMostUncovered));
   severity = std::max(severity, weight);
-  if (most->second <= kMostUncovered) return;
+  if (most->second <= std::max(kMostUncovered, kMostUncoveredRatio * usual)) return;
   reasons.emplace_back(weight, fmt::format("the hand in {} reaches {:.1f} mm beyond the fitted one",
                                            most->first, 1e3 * most->second));
 }
@@ -152,6 +162,7 @@ std::vector<FrameDoubt> frame_doubts(const Result& result) {
   const std::vector<double> jumps = wrist_jumps(result.frames);
   const double jump_limit = std::max(kLeastJump, 6.0 * usual_jump(jumps));
   const double view_count = usual_view_count(result);
+  const double uncovered = usual_uncovered(result);
   std::vector<FrameDoubt> doubts;
   for (std::size_t i = 0; i < result.frames.size(); ++i) {
     const ResultFrame& frame = result.frames[i];
@@ -163,7 +174,7 @@ std::vector<FrameDoubt> frame_doubts(const Result& result) {
     } else {
       if (frame.status != "ok") reasons.emplace_back(0.95, frame.status);
       doubt_overlaps(result, i, severity, reasons);
-      doubt_uncovered(frame, severity, reasons);
+      doubt_uncovered(frame, uncovered, severity, reasons);
       if (frame.views.size() < kEnoughViews &&
           static_cast<double>(frame.views.size()) < view_count) {
         reasons.emplace_back(0.5, fmt::format("seen by {} cameras only", frame.views.size()));

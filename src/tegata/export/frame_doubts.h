@@ -24,8 +24,8 @@ struct FrameDoubt {
 /// - in a camera the fitted hand covers less than half of what it and the silhouette cover
 /// together; less than a quarter where all that is seen of the hand is covered, as something may
 /// hide the rest;
-/// - in a camera the border of the seen hand lies 1.5 mm outside the fitted one on average: a pose,
-/// a size or a camera is wrong;
+/// - in a camera the border of the seen hand lies 1.5 mm outside the fitted one on average, and
+/// three times as far as the most in other frames: the pose or a camera is wrong;
 /// - in a camera that overlap is far below what it is in the five frames before and after: by 0.15
 ///   and by four standard deviations, taken from the median absolute deviation;
 /// - it was seen by fewer cameras than most frames and by fewer than three;

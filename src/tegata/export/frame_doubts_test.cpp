@@ -80,11 +80,19 @@ TEST(FrameDoubts, HandThatSomethingHidesIsTrustedWhileAllThatIsSeenIsCovered) {
 
 TEST(FrameDoubts, WrongPoseWithAFairOverlapIsNotTrusted) {
   Result result = even_result(6);
-  for (ResultFrame& frame : result.frames) frame.uncovered = {{"a", 3e-4}, {"c", 0.0025}};
+  for (ResultFrame& frame : result.frames) frame.uncovered = {{"a", 1e-4}, {"c", 2e-4}};
+  result.frames[3].uncovered["c"] = 0.0025;
   const auto doubts = frame_doubts(result);
   EXPECT_EQ(only_reason(doubts[3]), "the hand in c reaches 2.5 mm beyond the fitted one");
-  const FitVerdict verdict = fit_verdict(result, doubts);
-  EXPECT_EQ(verdict.word, "poor");
+  EXPECT_TRUE(doubts[2].reasons.empty());
+}
+
+TEST(FrameDoubts, HandThatFitsNoFrameIsSaidOfTheWhole) {
+  Result result = even_result(6);
+  for (ResultFrame& frame : result.frames) frame.uncovered = {{"a", 3e-4}, {"c", 0.0025}};
+  const FitVerdict verdict = fit_verdict(result, frame_doubts(result));
+  EXPECT_EQ(verdict.word, "fair");
+  EXPECT_EQ(verdict.trusted, 6u);
   EXPECT_NE(verdict.sentence.find("2.5 mm beyond"), std::string::npos) << verdict.sentence;
 }
 

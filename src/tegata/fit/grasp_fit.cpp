@@ -25,7 +25,7 @@ constexpr double kLostEnergyRatio = 2.0;
 constexpr double kLikelyUncovered = 4e-4;
 // From the normal equations' deviations to true ones: neighbouring residuals are not independent.
 // Chosen with hands of known shape on 15 simulated takes (three grasps, three infrared cameras, ten
-// frames): with 0.6, 55 % of the true angles lay within one. A hand of another shape than the
+// frames): 64 % of the true angles lie within one. A hand of another shape than the
 // fitted one is farther off than this says.
 constexpr double kDeviationScale = 0.8;
 // How far the angles may leave what is known of them [rad], stage by stage: a turning hand is first
@@ -249,7 +249,7 @@ GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
     if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
   }
   GraspFit grasp = fit_forwards(hand, frames, options, observer);
-  if (frames.size() == 1 || frames.front()->landmarks) return grasp;
+  if (!options.seeks_again || frames.size() == 1 || frames.front()->landmarks) return grasp;
   const double uncovered = uncovered_by(hand, frames, grasp, options.threads);
   if (uncovered <= kLikelyUncovered * hand.scale) return grasp;
   GraspFit other = fit_backwards(hand, frames, options, observer);

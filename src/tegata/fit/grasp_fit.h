@@ -24,6 +24,8 @@ struct GraspFitOptions {
   JointFitOptions joint;
   /// The angles come from so many frames spread over all; of the others the poses alone are sought.
   std::size_t most_joint_frames = 40;
+  /// Whether all is done once more from the last frame where the first try may have begun wrong.
+  bool seeks_again = true;
   int threads = 0;
 };
 

@@ -79,6 +79,8 @@ SizedHand size_hand(const HandModel& hand, std::span<const PreparedTake> takes,
   const Stopwatch stopwatch;
   GraspFitOptions options = fit_options;
   options.joint.object_rounds = 0;
+  // A hand of the wrong size leaves much uncovered from any start.
+  options.seeks_again = false;
   // What a grasp drifts by says nothing of the hand's size.
   if (options.grasp == GraspConstraint::soft) options.grasp = GraspConstraint::fixed;
   std::vector<std::vector<const FitFrame*>> frames;
