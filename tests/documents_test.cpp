@@ -55,6 +55,7 @@ TEST_F(FormatsDocument, TakeSnippetIsRead) {
   EXPECT_EQ(info.name, "mug-03");
   EXPECT_TRUE(info.initial_landmarks.has_value());
   EXPECT_TRUE(info.segmentation.has_value());
+  EXPECT_EQ(info.offsets.at("left"), 3);
 }
 
 TEST_F(FormatsDocument, CalibrationSnippetIsRead) {

@@ -48,6 +48,8 @@ std::map<std::size_t, std::size_t> sheet_rows(std::size_t frame_count, std::size
 TakeInfo info_of_masks(const Take& take, const SegmentTakeOptions& options) {
   TakeInfo info = take.info();
   info.segmentation = SegmentationMethod::mask;
+  info.hand_label.reset();
+  info.offsets.clear();
   info.metres_per_unit = 1.0;
   info.fps /= static_cast<double>(options.frames.step);
   if (options.frames.first != 0) info.initial_landmarks.reset();

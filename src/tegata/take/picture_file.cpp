@@ -121,6 +121,26 @@ Silhouette silhouette_from_mask(const CameraImage& mask) {
   return silhouette;
 }
 
+Silhouette silhouette_from_labels(const CameraImage& labels, int hand) {
+  const Image<std::uint16_t>& values = labels.values;
+  Silhouette silhouette(values.width(), values.height(), PixelLabel::unknown);
+  for (int y = 0; y < values.height(); ++y) {
+    for (int x = 0; x < values.width(); ++x) {
+      for (int channel = 1; channel < values.channels(); ++channel) {
+        if (values(x, y, channel) == values(x, y)) continue;
+        throw Error("got a label image in colour (pixel ", x, ", ", y,
+                    "), expected one channel with a number for each object");
+      }
+      if (values(x, y) == hand) {
+        silhouette(x, y) = PixelLabel::hand;
+      } else if (values(x, y) == 0) {
+        silhouette(x, y) = PixelLabel::background;
+      }
+    }
+  }
+  return silhouette;
+}
+
 CameraImage mask_from_silhouette(const Silhouette& silhouette) {
   CameraImage mask{Image<std::uint16_t>(silhouette.width(), silhouette.height()), 8};
   std::transform(silhouette.values().begin(), silhouette.values().end(),

@@ -23,6 +23,9 @@ std::vector<std::uint8_t> encode_jpeg(const CameraImage& picture, int quality);
 
 /// 0, 128 and 255, other values snapped to the nearest of the three.
 Silhouette silhouette_from_mask(const CameraImage& mask);
+/// Of a label image: the pixels of one label are hand, those of 0 background; what carries another
+/// label may stand in front of the hand and is unknown. Throws Error for pictures in colour.
+Silhouette silhouette_from_labels(const CameraImage& labels, int hand);
 CameraImage mask_from_silhouette(const Silhouette& silhouette);
 
 }  // namespace tegata

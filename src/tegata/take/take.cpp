@@ -10,6 +10,7 @@
 
 #include "tegata/base/error.h"
 #include "tegata/take/calibration_file.h"
+#include "tegata/take/offset_pictures.h"
 #include "tegata/take/picture_file.h"
 #include "tegata/take/picture_sequence.h"
 
@@ -106,6 +107,7 @@ struct Take::State {
 void Take::State::open_sources() {
   const fs::path images = existing(folder / "images"), videos = existing(folder / "videos");
   const fs::path mask_folder = existing(folder / "masks");
+  const std::vector<int> offsets = camera_offsets(info, rig, folder / "take.toml");
   if (!images.empty() && !videos.empty()) {
     throw Error(folder.string(), ": got both images/ and videos/, expected one of the two");
   }
@@ -114,7 +116,8 @@ void Take::State::open_sources() {
   }
   if (!mask_folder.empty()) {
     source = PictureSource::masks;
-    masks = open_picture_folders(mask_folder, rig, Completeness::every_camera);
+    masks =
+        with_offsets(open_picture_folders(mask_folder, rig, Completeness::every_camera), offsets);
     notes = masks->notes();
     check_pairs(*masks, rig, mask_folder);
     check_first_pictures(*masks, rig, mask_folder);
@@ -124,6 +127,7 @@ void Take::State::open_sources() {
   const auto completeness = masks ? Completeness::some_cameras : Completeness::every_camera;
   pictures = open_pictures(images, videos, rig, completeness);
   if (!pictures) return;
+  pictures = with_offsets(std::move(pictures), offsets);
   notes.insert(notes.end(), pictures->notes().begin(), pictures->notes().end());
   const fs::path& picture_folder = images.empty() ? videos : images;
   if (!masks) check_pairs(*pictures, rig, picture_folder);
@@ -136,6 +140,10 @@ void Take::State::open_sources() {
 void Take::State::check_method() const {
   const std::string where =
       (folder / "take.toml").string() + ": [segmentation] key 'method': got '";
+  if (info.hand_label && !masks) {
+    throw Error((folder / "take.toml").string(),
+                ": [segmentation] key 'hand_label': expected label images in masks/");
+  }
   if (info.segmentation == SegmentationMethod::mask && !masks) {
     throw Error(where, "mask', expected a folder masks/ beside it, or another method");
   }
@@ -155,8 +163,9 @@ std::optional<CameraImage> Take::State::read(PictureSequence& sequence, std::siz
   try {
     CameraImage picture = sequence.read(camera, frame);
     check_size(picture, rig[camera]);
-    if (&sequence == masks.get()) picture = mask_from_silhouette(silhouette_from_mask(picture));
-    return picture;
+    if (&sequence != masks.get()) return picture;
+    return mask_from_silhouette(info.hand_label ? silhouette_from_labels(picture, *info.hand_label)
+                                                : silhouette_from_mask(picture));
   } catch (const Error& error) {
     const std::string warning = text("frame ", sequence.names()[frame], ", camera '",
                                      rig[camera].name, "' is left out: ", error.what());

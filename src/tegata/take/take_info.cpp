@@ -14,10 +14,11 @@ namespace tegata {
 namespace {
 
 constexpr std::array<std::string_view, 4> kMethodNames = {"infrared", "background", "skin", "mask"};
-constexpr std::array<std::string_view, 6> kKeys = {
-    "name", "hand", "fps", "metres_per_unit", "initial_pose", "segmentation"};
+constexpr std::array<std::string_view, 7> kKeys = {
+    "name", "hand", "fps", "metres_per_unit", "initial_pose", "segmentation", "offset"};
 constexpr std::array<std::string_view, 3> kLandmarkKeys = {"wrist", "index_mcp", "little_mcp"};
-constexpr std::array<std::string_view, 1> kSegmentationKeys = {"method"};
+constexpr std::array<std::string_view, 2> kSegmentationKeys = {"method", "hand_label"};
+constexpr int kMostLabel = 65535, kMostOffset = 1000000;
 
 Side read_side(const TomlTable& root) {
   const std::string name = root.string("hand");
@@ -33,7 +34,6 @@ InitialLandmarks read_landmarks(const TomlTable& table) {
 }
 
 SegmentationMethod read_method(const TomlTable& table) {
-  table.expect_keys(kSegmentationKeys);
   const std::string name = table.string("method");
   if (std::find(kMethodNames.begin(), kMethodNames.end(), name) == kMethodNames.end()) {
     table.fail("method", text("'", name, "'"), one_of(kMethodNames));
@@ -68,8 +68,17 @@ TakeInfo read_take_info(const std::filesystem::path& file) {
   if (root.has("fps")) info.fps = root.positive_number("fps");
   if (root.has("metres_per_unit")) info.metres_per_unit = root.positive_number("metres_per_unit");
   if (root.has("initial_pose")) info.initial_landmarks = read_landmarks(root.table("initial_pose"));
-  if (root.has("segmentation") && !root.table("segmentation").keys().empty()) {
-    info.segmentation = read_method(root.table("segmentation"));
+  if (root.has("segmentation")) {
+    const TomlTable table = root.table("segmentation");
+    table.expect_keys(kSegmentationKeys);
+    if (table.has("method")) info.segmentation = read_method(table);
+    if (table.has("hand_label")) info.hand_label = table.whole_number("hand_label", 1, kMostLabel);
+  }
+  if (root.has("offset")) {
+    const TomlTable table = root.table("offset");
+    for (const std::string& camera : table.keys()) {
+      info.offsets[camera] = table.whole_number(camera, -kMostOffset, kMostOffset);
+    }
   }
   return info;
 }
@@ -85,9 +94,14 @@ void write_take_info(const TakeInfo& info, const std::filesystem::path& file) {
                     landmark_line("index_mcp", info.initial_landmarks->index_mcp),
                     landmark_line("little_mcp", info.initial_landmarks->little_mcp));
   }
+  if (info.segmentation || info.hand_label) content += "\n[segmentation]\n";
   if (info.segmentation) {
-    content +=
-        text("\n[segmentation]\nmethod = \"", segmentation_method_name(*info.segmentation), "\"\n");
+    content += text("method = \"", segmentation_method_name(*info.segmentation), "\"\n");
+  }
+  if (info.hand_label) content += text("hand_label = ", *info.hand_label, "\n");
+  if (!info.offsets.empty()) content += "\n[offset]\n";
+  for (const auto& [camera, offset] : info.offsets) {
+    content += text(toml_string(camera), " = ", offset, "\n");
   }
   write_file(file, content);
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,10 @@ struct TakeInfo {
   double metres_per_unit = 1.0;  ///< already applied to the rig and not to the landmarks
   std::optional<InitialLandmarks> initial_landmarks;
   std::optional<SegmentationMethod> segmentation;
+  /// Masks are label images, in which the hand has this number and the background 0.
+  std::optional<int> hand_label;
+  /// By camera: how many of its frames lie before the take's first one. Absent: 0.
+  std::map<std::string, int> offsets;
 };
 
 /// Reads take.toml. Throws Error naming file and key for anything unknown or of another type; an

@@ -33,7 +33,13 @@ index_mcp  = [0.03, 0.09, 0.88]
 little_mcp = [-0.03, 0.08, 0.91]
 [segmentation]
 method = "background"
+hand_label = 255
+[offset]
+left = 3
+"top 1" = -2
 )");
+  EXPECT_EQ(info.hand_label, 255);
+  EXPECT_EQ(info.offsets, (std::map<std::string, int>{{"left", 3}, {"top 1", -2}}));
   EXPECT_EQ(info.name, "mug-03");
   EXPECT_EQ(info.side, Side::left);
   EXPECT_EQ(info.fps, 25.0);
@@ -51,6 +57,8 @@ TEST(TakeInfo, WhatIsWrittenReadsBackTheSame) {
   info.metres_per_unit = 1e-5;
   info.initial_landmarks = {{1.0 / 3.0, 0.0, 1e22}, {-1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
   info.segmentation = SegmentationMethod::skin;
+  info.hand_label = 7;
+  info.offsets = {{"a\"b", 4}};
   const TestFolder folder;
   write_take_info(info, folder / "take.toml");
   const TakeInfo back = read_take_info(folder / "take.toml");
@@ -60,6 +68,8 @@ TEST(TakeInfo, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(back.metres_per_unit, info.metres_per_unit);
   EXPECT_EQ(back.initial_landmarks->wrist, info.initial_landmarks->wrist);
   EXPECT_EQ(back.segmentation, info.segmentation);
+  EXPECT_EQ(back.hand_label, info.hand_label);
+  EXPECT_EQ(back.offsets, info.offsets);
   write_take_info(TakeInfo(), folder / "empty.toml");
   const TakeInfo empty = read_take_info(folder / "empty.toml");
   EXPECT_FALSE(empty.side || empty.initial_landmarks || empty.segmentation);
@@ -91,6 +101,9 @@ TEST(TakeInfo, WrongValuesAreSaid) {
   EXPECT_TRUE(
       says(error_with("[initial_pose]\nwrist = [0.0, 0.1, 0.2]"), "'index_mcp'", "missing"));
   EXPECT_TRUE(says(error_with("[initial_pose]\nwrist = [0.0, 0.1]"), "'wrist'", "2 numbers"));
+  EXPECT_TRUE(
+      says(error_with("[segmentation]\nhand_label = 0"), "'hand_label'", "0", "1 to 65535"));
+  EXPECT_TRUE(says(error_with("[offset]\nleft = 1.5"), "[offset]", "'left'", "1.5", "whole"));
   EXPECT_TRUE(says(error_with("fps = \n"), "take.toml", "line 1"));
 }
 

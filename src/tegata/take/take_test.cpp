@@ -211,6 +211,81 @@ TEST_F(TakeTest, VideosPairUpByIndexAndTheLongestCounts) {
   EXPECT_TRUE(says(open_error(), "'left'", "videos/left.mp4"));
 }
 
+TEST_F(TakeTest, ACameraThatStartedEarlierIsReadLater) {
+  for (int f = 0; f < 6; ++f) put_two("images", text(f, ".png"), 10 * f);
+  put_info("[offset]\nright = 2\n");
+  Take take = Take::open(take_);
+  ASSERT_EQ(take.frame_names().size(), 6u);
+  const TakeFrame first = take.read_frame(0, observer()), last = take.read_frame(4, observer());
+  EXPECT_EQ(first.pictures[0]->values(0, 0), 0);
+  EXPECT_EQ(first.pictures[1]->values(0, 0), 20);
+  EXPECT_EQ(last.pictures[0]->values(0, 0), 40);
+  EXPECT_FALSE(last.pictures[1].has_value());
+
+  put_info("[offset]\nright = -1\n");
+  Take later = Take::open(take_);
+  EXPECT_EQ(later.read_frame(0, observer()).view_count(), 1u);
+  EXPECT_EQ(later.read_frame(5, observer()).pictures[1]->values(0, 0), 40);
+
+  put_info("[offset]\nright = 1\nleft = 3\n");
+  Take both = Take::open(take_);
+  EXPECT_EQ(both.frame_names().size(), 5u);  // nobody has a sixth
+  EXPECT_EQ(both.read_frame(1, observer()).pictures[0]->values(0, 0), 40);
+  EXPECT_EQ(both.read_frame(1, observer()).pictures[1]->values(0, 0), 20);
+}
+
+TEST_F(TakeTest, OffsetsHoldForVideosAndMasksAsWell) {
+  put_video("left", 6);
+  put_video("right", 4);
+  put_info("[offset]\nleft = 3\n");
+  EXPECT_EQ(Take::open(take_).frame_names().size(), 4u);
+  EXPECT_EQ(Take::open(take_).read_frame(3, observer()).view_count(), 1u);
+  for (int f = 0; f < 6; ++f) put_two("masks", text("00000", f, ".png"), f < 4 ? 0 : 255);
+  Take take = Take::open(take_);
+  const TakeFrame frame = take.read_frame(2, observer());
+  EXPECT_EQ(frame.pictures[0]->values(0, 0), 255);
+  EXPECT_EQ(frame.pictures[1]->values(0, 0), 0);
+}
+
+TEST_F(TakeTest, OffsetsOfCamerasThatAreNotThereAndBeyondTheRecordingAreErrors) {
+  put_two("images", "0.png", 1);
+  put_info("[offset]\ntop = 1\n");
+  EXPECT_TRUE(says(open_error(), "[offset]", "'top'", "'left', 'right'"));
+  put_info("[offset]\nleft = 5\n");
+  EXPECT_TRUE(says(open_error(), "no frame has pictures of two cameras"));
+}
+
+TEST_F(TakeTest, LabelImagesShowTheHandByItsNumber) {
+  CameraImage labels = gray_picture(0);
+  labels.values(1, 0) = 7;
+  labels.values(2, 0) = 254;
+  labels.values(3, 0) = 255;
+  put("masks/left/0.png", labels);
+  put("masks/right/0.png", labels);
+  put_info("[segmentation]\nhand_label = 7\n");
+  Take take = Take::open(take_);
+  const Image<std::uint16_t> mask = take.read_frame(0, observer()).pictures[1]->values;
+  EXPECT_EQ(mask(0, 0), 0);
+  EXPECT_EQ(mask(1, 0), 255);
+  EXPECT_EQ(mask(2, 0), 128);
+  EXPECT_EQ(mask(3, 0), 128);
+  put("masks/left/0.png", CameraImage{[] {
+                                        Image<std::uint16_t> colour(kWidth, kHeight, 7, 3);
+                                        colour(4, 5, 1) = 9;
+                                        return colour;
+                                      }(),
+                                      8});
+  EXPECT_FALSE(Take::open(take_).read_frame(0, observer()).pictures[0].has_value());
+  ASSERT_EQ(warnings_.size(), 1u);
+  EXPECT_TRUE(says(warnings_[0], "label image in colour", "4, 5"));
+}
+
+TEST_F(TakeTest, HandLabelsWithoutMasksAreErrors) {
+  put_two("images", "0.png", 1);
+  put_info("[segmentation]\nhand_label = 7\n");
+  EXPECT_TRUE(says(open_error(), "'hand_label'", "masks/"));
+}
+
 TEST_F(TakeTest, IndicesPastTheEndAreErrors) {
   put_two("images", "0.png", 1);
   Take take = Take::open(take_);

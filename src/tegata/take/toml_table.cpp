@@ -153,6 +153,14 @@ double TomlTable::positive_number(std::string_view key) const {
   return value;
 }
 
+int TomlTable::whole_number(std::string_view key, int least, int most) const {
+  const double value = number(key);
+  if (value != std::floor(value) || value < least || value > most) {
+    fail(key, text(value), text("a whole number of ", least, " to ", most));
+  }
+  return static_cast<int>(value);
+}
+
 std::vector<double> TomlTable::numbers(std::string_view key) const {
   return finite_numbers(*this, key, node_of(*this, table_, key, "an array of numbers"));
 }

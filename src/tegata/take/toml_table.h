@@ -38,6 +38,8 @@ class TomlTable {
   double number(std::string_view key) const;
   /// A finite number above zero.
   double positive_number(std::string_view key) const;
+  /// A whole number within bounds, both included.
+  int whole_number(std::string_view key, int least, int most) const;
   std::vector<double> numbers(std::string_view key) const;
   Eigen::Vector3d vector3(std::string_view key) const;
   Eigen::Matrix3d matrix3(std::string_view key) const;
