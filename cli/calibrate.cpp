@@ -9,6 +9,7 @@
 
 #include "command.h"
 #include "progress.h"
+#include "tegata/base/angle.h"
 #include "tegata/calibrate/coverage_picture.h"
 #include "tegata/pipeline/calibrate_take.h"
 #include "tegata/take/calibration_file.h"
@@ -28,14 +29,21 @@ void print_json(const Arguments& arguments, const BoardCalibration& found) {
   nlohmann::ordered_json json;
   json["calibration"] = arguments.output;
   json["rms_px"] = found.rms;
+  if (arguments.options.intrinsics_file.empty()) {
+    json["intrinsics"] = nullptr;
+  } else {
+    json["intrinsics"] = arguments.options.intrinsics_file.string();
+  }
   for (const Camera& camera : found.rig) {
     const CameraResiduals& residuals = found.cameras.at(camera.name);
-    json["cameras"].push_back({{"name", camera.name},
-                               {"rms_px", residuals.rms},
-                               {"views", residuals.views},
-                               {"points", residuals.points},
-                               {"coverage", residuals.coverage},
-                               {"focal_length_px", {camera.fx, camera.fy}}});
+    json["cameras"].push_back(
+        {{"name", camera.name},
+         {"rms_px", residuals.rms},
+         {"views", residuals.views},
+         {"points", residuals.points},
+         {"coverage", residuals.coverage},
+         {"direction_deviation_deg", kDegreesPerRadian * residuals.direction_deviation},
+         {"focal_length_px", {camera.fx, camera.fy}}});
   }
   json["outliers"] = nlohmann::json::array();
   for (const OutlierView& view : found.outliers) {
@@ -57,9 +65,26 @@ void print_text(const Arguments& arguments, const BoardCalibration& found) {
         camera.name, residuals.rms, residuals.views, residuals.points, 100.0 * residuals.coverage,
         camera.fx, center.x(), center.y(), center.z());
   }
+  const std::filesystem::path& lenses = arguments.options.intrinsics_file;
+  if (!lenses.empty()) std::cout << "  lenses as in " << lenses.string() << "\n";
   for (const OutlierView& view : found.outliers) {
     std::cout << fmt::format("  left out: camera {}, frame {} ({:.1f} px)\n", view.camera,
                              view.frame, view.rms);
+  }
+}
+
+// Says which cameras' directions the views leave open.
+void warn_of_open_directions(const BoardCalibration& found, const Observer& observer) {
+  constexpr double kOpen = 0.5;  // [deg]
+  for (const auto& [name, residuals] : found.cameras) {
+    const double deviation = kDegreesPerRadian * residuals.direction_deviation;
+    if (deviation <= kOpen) continue;
+    observer.warn(fmt::format(
+        "camera '{}': the board was seen on {:.0f} % of its picture, which leaves open where its "
+        "lens's centre is, and with it where it looks, by {:.1f} deg or more: take the board, "
+        "tilted, into all corners, or calibrate the lens by closer pictures and give it with "
+        "--intrinsics",
+        name, 100.0 * residuals.coverage, deviation));
   }
 }
 
@@ -70,15 +95,16 @@ void run(Arguments& arguments) {
   CalibrateTakeOptions& options = arguments.options;
   options.threads = arguments.common.threads;
   options.board_file = arguments.board;
-  options.intrinsics_file = arguments.intrinsics;
+  options.intrinsics_file = find_intrinsics(arguments.folder, arguments.intrinsics);
   BoardCalibration found;
   BoardRecording recording;
   {
     Progress progress(arguments.common.quiet);
     recording = read_board_recording(arguments.folder, options, progress.observer());
     BoardCalibrationOptions calibration;
-    calibration.known_intrinsics = !arguments.intrinsics.empty();
+    calibration.known_intrinsics = !options.intrinsics_file.empty();
     found = calibrate_rig(recording, calibration);
+    warn_of_open_directions(found, progress.observer());
   }
   write_calibration(found.rig, arguments.output);
   if (!arguments.coverage.empty()) {
@@ -107,7 +133,8 @@ void add_calibrate_command(CLI::App& program) {
   command->add_option("--coverage", arguments->coverage,
                       "A PNG to write: where in the pictures the board was seen");
   command->add_option("--intrinsics", arguments->intrinsics,
-                      "A calibration whose lenses are kept; only poses are found");
+                      "A calibration whose lenses are kept, only poses are found; absent: "
+                      "intrinsics.toml or camera_array.toml in the folder; find: lenses as well");
   command->add_option("--most-frames", arguments->options.most_frames, "Frames to look at")
       ->check(CLI::Range(3, 10000))
       ->capture_default_str();

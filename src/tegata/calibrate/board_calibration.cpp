@@ -113,8 +113,8 @@ void start_poses(Solution& solution, const std::vector<Eigen::Vector3d>& board) 
   }
 }
 
-void adjust(Solution& solution, const std::vector<Eigen::Vector3d>& board,
-            const BoardCalibrationOptions& options, double loss_scale) {
+std::vector<double> adjust(Solution& solution, const std::vector<Eigen::Vector3d>& board,
+                           const BoardCalibrationOptions& options, double loss_scale) {
   std::vector<BoardObservation> observations;
   for (std::size_t f = 0; f < solution.views.size(); ++f) {
     for (std::size_t c = 0; c < solution.rig.size(); ++c) {
@@ -128,8 +128,8 @@ void adjust(Solution& solution, const std::vector<Eigen::Vector3d>& board,
       }
     }
   }
-  adjust_bundle(solution.rig, solution.world_from_board, observations,
-                {loss_scale, !options.known_intrinsics});
+  return adjust_bundle(solution.rig, solution.world_from_board, observations,
+                       {loss_scale, !options.known_intrinsics});
 }
 
 // Leaves out views that are far worse than the usual one, and says which.
@@ -191,10 +191,13 @@ CameraResiduals residuals_of(const Solution& solution, std::size_t c,
 }
 
 void describe(const Solution& solution, const std::vector<Eigen::Vector3d>& board,
-              BoardCalibration& calibration) {
+              const std::vector<double>& center_deviations, BoardCalibration& calibration) {
   double sum = 0.0, count = 0.0;
   for (std::size_t c = 0; c < solution.rig.size(); ++c) {
-    const CameraResiduals residuals = residuals_of(solution, c, board);
+    CameraResiduals residuals = residuals_of(solution, c, board);
+    const Camera& camera = solution.rig[c];
+    residuals.direction_deviation =
+        std::atan(center_deviations[c] / std::min(camera.fx, camera.fy));
     calibration.cameras[solution.rig[c].name] = residuals;
     sum += residuals.rms * residuals.rms * static_cast<double>(residuals.points);
     count += static_cast<double>(residuals.points);
@@ -217,11 +220,17 @@ BoardCalibration calibrate_rig(const BoardRecording& recording,
   start_cameras(solution, board, options);
   start_poses(solution, board);
   constexpr double kFirstLoss = 3.0, kLoss = 1.0;  // [px]
+  constexpr int kRounds = 3;  // of leaving out: bad views hide others while they pull
   adjust(solution, board, options, kFirstLoss);
   BoardCalibration calibration;
-  calibration.outliers = leave_out(solution, recording, board);
-  adjust(solution, board, options, kLoss);
-  describe(solution, board, calibration);
+  std::vector<double> center_deviations;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<OutlierView> outliers = leave_out(solution, recording, board);
+    if (round > 0 && outliers.empty()) break;
+    calibration.outliers.insert(calibration.outliers.end(), outliers.begin(), outliers.end());
+    center_deviations = adjust(solution, board, options, kLoss);
+  }
+  describe(solution, board, center_deviations, calibration);
   calibration.rig.resize(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) calibration.rig[order[i]] = solution.rig[i];
   calibration.world_from_board = solution.world_from_board;

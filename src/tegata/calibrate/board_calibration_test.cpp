@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tegata/base/error.h"
 #include "tegata/base/random.h"
@@ -43,8 +44,9 @@ CameraRig truth() {
   return rig;
 }
 
-// Cameras 0 and 2 never see the board at the same moment. One view may be blurred in two.
-BoardRecording recorded(const CameraRig& rig, bool broken_view) {
+// Cameras 0 and 2 never see the board at the same moment. One view may be blurred in two, and the
+// board be moved and tilted less.
+BoardRecording recorded(const CameraRig& rig, bool broken_view, double spread = 1.0) {
   Random random(5);
   BoardRecording recording;
   recording.board = board();
@@ -59,9 +61,10 @@ BoardRecording recorded(const CameraRig& rig, bool broken_view) {
   for (std::size_t f = 0; f < kFrames; ++f) {
     recording.frame_names.push_back(text("frame_", f));
     const Rigid3d pose = {
-        so3_exp({random.uniform(-0.6, 0.6), -0.5 + random.uniform(-0.6, 0.6),
-                 random.uniform(-1.5, 1.5)}),
-        {random.uniform(-0.2, 0.2), random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15)}};
+        so3_exp({spread * random.uniform(-0.6, 0.6), -0.5 + spread * random.uniform(-0.6, 0.6),
+                 spread * random.uniform(-1.5, 1.5)}),
+        spread * Eigen::Vector3d(random.uniform(-0.2, 0.2), random.uniform(-0.15, 0.15),
+                                 random.uniform(-0.15, 0.15))};
     std::vector<BoardView> views(rig.size());
     for (std::size_t c = 0; c < rig.size(); ++c) {
       if (c == (f % 2 == 0 ? 0u : 2u)) continue;
@@ -101,6 +104,27 @@ TEST(BoardCalibration, FindsCamerasThatNeverSeeTheBoardTogether) {
       EXPECT_LT(distance_error(found.rig, expected, 0, i), 0.01);
     }
   }
+}
+
+TEST(BoardCalibration, SaysHowFarABoardThatHardlyMovedLeavesDirectionsOpen) {
+  const BoardCalibration well = calibrate_rig(recorded(truth(), false), {});
+  const BoardCalibration poorly = calibrate_rig(recorded(truth(), false, 0.2), {});
+  for (const Camera& camera : truth()) {
+    const double good = well.cameras.at(camera.name).direction_deviation;
+    const double open = poorly.cameras.at(camera.name).direction_deviation;
+    EXPECT_GT(good, 0.0);
+    EXPECT_LT(good, 0.3 / 57.3);
+    EXPECT_GT(open, 2.0 * good);
+    const auto found = std::find_if(poorly.rig.begin(), poorly.rig.end(),
+                                    [&](const Camera& c) { return c.name == camera.name; });
+    const double off = std::hypot(found->cx - camera.cx, found->cy - camera.cy) / camera.fx;
+    EXPECT_LT(off, 3.0 * open);
+  }
+  BoardRecording recording = recorded(truth(), false);
+  recording.cameras = truth();
+  BoardCalibrationOptions options;
+  options.known_intrinsics = true;
+  EXPECT_EQ(calibrate_rig(recording, options).cameras.at("cam_0").direction_deviation, 0.0);
 }
 
 TEST(BoardCalibration, NamesTheViewThatContradictsTheOthers) {

@@ -5,8 +5,11 @@
 #include <ceres/ceres.h>
 #include <ceres/rotation.h>
 
+#include <Eigen/Eigenvalues>
 #include <array>
+#include <cmath>
 #include <set>
+#include <utility>
 
 #include "tegata/base/error.h"
 #include "tegata/math/so3.h"
@@ -94,11 +97,38 @@ Intrinsics intrinsic_parameters(const Camera& c) {
           c.distortion[4]};
 }
 
+// The standard deviation of a lens's centre along its worse axis, by camera; 0 for other cameras
+// than those.
+std::vector<double> center_deviations(ceres::Problem& problem,
+                                      const std::vector<Intrinsics>& intrinsics,
+                                      const std::set<std::size_t>& cameras) {
+  std::vector<std::pair<const double*, const double*>> blocks;
+  for (const std::size_t c : cameras)
+    blocks.emplace_back(intrinsics[c].data(), intrinsics[c].data());
+  ceres::Covariance::Options settings;
+  settings.num_threads = 1;
+  ceres::Covariance covariance(settings);
+  if (!covariance.Compute(blocks, &problem)) {
+    throw Error("board calibration: the views leave the cameras undetermined");
+  }
+  std::vector<double> deviations(intrinsics.size(), 0.0);
+  for (const std::size_t c : cameras) {
+    Eigen::Matrix<double, kIntrinsics, kIntrinsics, Eigen::RowMajor> block;
+    covariance.GetCovarianceBlock(intrinsics[c].data(), intrinsics[c].data(), block.data());
+    const Eigen::Matrix2d center = block.block<2, 2>(2, 2);
+    deviations[c] =
+        std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(center, Eigen::EigenvaluesOnly)
+                      .eigenvalues()
+                      .maxCoeff());
+  }
+  return deviations;
+}
+
 }  // namespace
 
-void adjust_bundle(CameraRig& rig, std::vector<Rigid3d>& world_from_board,
-                   const std::vector<BoardObservation>& observations,
-                   const BundleOptions& options) {
+std::vector<double> adjust_bundle(CameraRig& rig, std::vector<Rigid3d>& world_from_board,
+                                  const std::vector<BoardObservation>& observations,
+                                  const BundleOptions& options) {
   std::vector<Intrinsics> intrinsics;
   std::vector<Pose> cameras, boards;
   for (const Camera& camera : rig) {
@@ -154,6 +184,8 @@ void adjust_bundle(CameraRig& rig, std::vector<Rigid3d>& world_from_board,
     if (c != 0) camera.camera_from_world = pose_of(cameras[c]);
   }
   for (std::size_t f = 0; f < boards.size(); ++f) world_from_board[f] = pose_of(boards[f]);
+  if (!options.refine_intrinsics) return std::vector<double>(rig.size(), 0.0);
+  return center_deviations(problem, intrinsics, seen_cameras);
 }
 
 }  // namespace tegata

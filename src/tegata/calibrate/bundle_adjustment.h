@@ -27,8 +27,11 @@ struct BundleOptions {
 /// Weak priors keep what the views leave open of a lens near that of usual ones. Moves cameras
 /// (intrinsics, five lens coefficients, poses) and the board's poses in the world to where the
 /// observations are reprojected best. Camera 0 stays where it is. Uses Ceres on one thread: the
-/// same input gives the same bits. Lenses are perspective ones.
-void adjust_bundle(CameraRig& rig, std::vector<Rigid3d>& world_from_board,
-                   const std::vector<BoardObservation>& observations, const BundleOptions& options);
+/// same input gives the same bits. Lenses are perspective ones. Returns, by camera, the standard
+/// deviation of the lens's centre along its worse axis if points are 1 px off [px]; 0 for lenses
+/// that are not refined and for cameras without observations.
+std::vector<double> adjust_bundle(CameraRig& rig, std::vector<Rigid3d>& world_from_board,
+                                  const std::vector<BoardObservation>& observations,
+                                  const BundleOptions& options);
 
 }  // namespace tegata

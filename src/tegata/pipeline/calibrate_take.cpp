@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
 #include "tegata/calibrate/board_detection.h"
 #include "tegata/take/calibration_import.h"
+#include "tegata/take/offset_pictures.h"
 #include "tegata/take/picture_sequence.h"
+#include "tegata/take/take_info.h"
 #include "tegata/take/toml_table.h"
 
 namespace tegata {
@@ -20,14 +21,9 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kVideoEndings = {".mp4", ".avi", ".mkv"};
 
-// A whole number above zero.
 int count_of(const TomlTable& table, std::string_view key) {
-  constexpr double kMost = 1000.0;
-  const double number = table.positive_number(key);
-  if (number != std::floor(number) || number > kMost) {
-    table.fail(key, text(number), "a whole number of at most 1000");
-  }
-  return static_cast<int>(number);
+  constexpr int kMost = 1000;
+  return table.whole_number(key, 1, kMost);
 }
 
 // Caliscope's charuco.toml: the size of a square in centimetres, or the board's in its unit.
@@ -148,6 +144,15 @@ Board read_board(const fs::path& file) {
   return board;
 }
 
+fs::path find_intrinsics(const fs::path& folder, const std::string& asked) {
+  if (asked == "find") return {};
+  if (!asked.empty()) return asked;
+  for (const std::string_view name : {"intrinsics.toml", "camera_array.toml"}) {
+    if (fs::exists(folder / name)) return folder / name;
+  }
+  return {};
+}
+
 BoardRecording read_board_recording(const fs::path& folder, const CalibrateTakeOptions& options,
                                     const Observer& observer) {
   if (!fs::is_directory(folder)) throw Error(folder.string(), ": there is no such folder");
@@ -160,10 +165,13 @@ BoardRecording read_board_recording(const fs::path& folder, const CalibrateTakeO
     camera.name = name;
     recording.cameras.push_back(camera);
   }
-  const auto pictures =
+  const fs::path info_file = folder / "take.toml";
+  const TakeInfo info = fs::exists(info_file) ? read_take_info(info_file) : TakeInfo();
+  const auto pictures = with_offsets(
       source.videos
           ? open_videos(source.folder, recording.cameras, Completeness::every_camera)
-          : open_picture_folders(source.folder, recording.cameras, Completeness::every_camera);
+          : open_picture_folders(source.folder, recording.cameras, Completeness::every_camera),
+      camera_offsets(info, recording.cameras, info_file));
   const std::size_t total = pictures->names().size();
   const std::size_t count = std::min(total, options.most_frames);
   for (std::size_t i = 0; i < count; ++i) {

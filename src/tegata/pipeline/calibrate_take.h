@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <string>
 
 #include "tegata/base/observer.h"
 #include "tegata/calibrate/board_calibration.h"
@@ -20,6 +20,11 @@ struct CalibrateTakeOptions {
 
 /// Reads a board from a TOML of ours or of Caliscope's; docs/formats.md describes both.
 Board read_board(const std::filesystem::path& file);
+
+/// The calibration whose lenses are kept: what was asked for; else intrinsics.toml or Caliscope's
+/// camera_array.toml in the folder; nothing where there is none or where "find" was asked for.
+std::filesystem::path find_intrinsics(const std::filesystem::path& folder,
+                                      const std::string& asked);
 
 /// Finds the board in the pictures of a folder: images/<camera>/, videos/<camera>.mp4, or videos
 /// beside the board's file. Frames pair up as in a take.
