@@ -161,9 +161,31 @@ TEST(CalibrationCheck, NamesTheCameraThatWasTurned) {
   }
 }
 
+TEST(CalibrationCheck, NamesTheCameraWhosePoseIsMirrored) {
+  const CameraRig truth = ring(3);
+  for (std::size_t c = 0; c < 3; ++c) {
+    CameraRig rig = truth;
+    Rigid3d& pose = rig[c].camera_from_world;
+    const Eigen::DiagonalMatrix<double, 3> mirror(1.0, -1.0, 1.0);
+    const Eigen::Matrix3d rotation = mirror * pose.rotation.toRotationMatrix() * mirror;
+    pose = {Eigen::Quaterniond(rotation), mirror * pose.translation};
+    const auto suspicion = suspect(rig, seen(truth));
+    ASSERT_TRUE(suspicion.has_value());
+    EXPECT_EQ(suspicion->cameras, (std::vector<std::string>{text("cam_", c)}))
+        << suspicion->message;
+    EXPECT_NE(suspicion->message.find("mirrored in y"), std::string::npos) << suspicion->message;
+  }
+}
+
 TEST(CalibrationCheck, OfTwoCamerasEitherMayBeToBlame) {
   const CameraRig truth = ring(2);
   const RigOutlines frames = seen(truth);
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (const double sign : {-1.0, 1.0}) {
+      const auto suspicion = suspect(turned(truth, c, {sign * 5.0 * kDegree, 0.0, 0.0}), frames);
+      EXPECT_TRUE(blames(suspicion, text("cam_", c))) << (suspicion ? suspicion->message : "");
+    }
+  }
   const auto suspicion = suspect(turned(truth, 1, {5.0 * kDegree, 0.0, 0.0}), frames);
   EXPECT_TRUE(blames(suspicion, "cam_1"));
   CameraRig exchanged = truth;

@@ -25,14 +25,16 @@ constexpr double kFaintlyExplained = 0.4;
 constexpr double kLeastTurn = 2.0 * kDegree;
 // What puts things right must explain so much of the contradiction.
 constexpr double kExplained = 0.5;
-// Several cameras are named where each explains about as much.
-constexpr double kTie = 1.25;
+// Several cameras are named where each explains about as much. Of two cameras, which of them was
+// turned can hardly be told: all that explain enough are named.
+constexpr double kTie = 1.25, kTieOfTwo = 4.0;
 
 struct Hypothesis {
   std::vector<std::size_t> cameras;
   std::string message;
   double cost = 0.0;
   double handicap = 1.0;  ///< of those that can be fitted to anything
+  bool is_turn = false;
 };
 
 Eigen::Vector3d middle_ray(const OutlineRays& outline) {
@@ -140,6 +142,28 @@ void try_flips(const CameraRig& rig, const RigOutlines& frames,
   }
 }
 
+// One camera's pose in a frame of the other handedness: world and camera mirrored alike.
+void try_mirrored_poses(const CameraRig& rig, const RigOutlines& frames,
+                        std::vector<Hypothesis>& hypotheses) {
+  constexpr double kHandicap = 1.2;
+  for (std::size_t c = 0; c < rig.size(); ++c) {
+    for (int axis = 0; axis < 3; ++axis) {
+      CameraRig mirrored = rig;
+      Rigid3d& pose = mirrored[c].camera_from_world;
+      // The mirror image of a rotation vector turns the other way about the mirror's axes.
+      Eigen::Vector3d turn = -so3_log(pose.rotation.normalized());
+      turn[axis] = -turn[axis];
+      pose.rotation = so3_exp(turn);
+      pose.translation[axis] = -pose.translation[axis];
+      hypotheses.push_back(
+          {{c},
+           text("the pose of camera '", rig[c].name, "' seems to be mirrored in ", "xyz"[axis]),
+           cost_of(mirrored, frames),
+           kHandicap});
+    }
+  }
+}
+
 void try_inverse(const CameraRig& rig, const RigOutlines& frames,
                  std::vector<Hypothesis>& hypotheses) {
   CameraRig inverse = rig;
@@ -203,7 +227,8 @@ void try_turns(const CameraRig& rig, const RigOutlines& frames,
                           text("camera '", rig[c].name, "' does not fit the others: turned by ",
                                degrees(turn.norm()), " degrees it would"),
                           cost_of(turned, frames),
-                          kHandicap});
+                          kHandicap,
+                          true});
   }
 }
 
@@ -244,10 +269,12 @@ Suspicion suspicion_of(const CameraRig& rig, const std::vector<PairTangency>& pa
         "things";
     return suspicion;
   }
+  const bool turn_of_two = rig.size() == 2 && best.is_turn;
   for (const Hypothesis& hypothesis : hypotheses) {
     const bool first = &hypothesis == &best;
-    const bool tie = hypothesis.handicap == best.handicap &&
-                     rank(hypothesis) <= kTie * rank(best) &&
+    const bool tie = hypothesis.is_turn == best.is_turn && hypothesis.handicap == best.handicap &&
+                     rank(hypothesis) <= (turn_of_two ? kTieOfTwo : kTie) * rank(best) &&
+                     hypothesis.cost <= kExplained * cost_before &&
                      hypothesis.cameras.size() == best.cameras.size();
     if (!first && !tie) continue;
     suspicion.message += (first ? ": " : "; or ") + hypothesis.message;
@@ -275,6 +302,7 @@ std::optional<Suspicion> suspect(const CameraRig& rig, const RigOutlines& frames
   std::vector<Hypothesis> hypotheses;
   try_exchanges(rig, frames, hypotheses);
   try_flips(rig, frames, hypotheses);
+  try_mirrored_poses(rig, frames, hypotheses);
   try_inverse(rig, frames, hypotheses);
   try_turns(rig, frames, hypotheses);
   // Two cameras that are left always meet: they prove nothing against faint doubts.
