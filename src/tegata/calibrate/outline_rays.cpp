@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace tegata {
 namespace {
@@ -14,10 +15,11 @@ bool is_hand(const Silhouette& silhouette, int x, int y) {
   return silhouette.contains(x, y) && silhouette(x, y) == PixelLabel::hand;
 }
 
-bool is_supported(const Silhouette& s, int x, int y) {
-  return is_hand(s, x - 1, y) + is_hand(s, x + 1, y) + is_hand(s, x, y - 1) +
-             is_hand(s, x, y + 1) >=
-         2;
+// A hand pixel with two neighbours or more that are.
+bool is_supported_hand(const Silhouette& s, int x, int y) {
+  return s(x, y) == PixelLabel::hand && is_hand(s, x - 1, y) + is_hand(s, x + 1, y) +
+                                                is_hand(s, x, y - 1) + is_hand(s, x, y + 1) >=
+                                            2;
 }
 
 bool is_cut(const Silhouette& silhouette, const Eigen::Vector2d& pixel) {
@@ -62,16 +64,19 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
 std::optional<OutlineRays> outline_rays(const Silhouette& silhouette, const Camera& camera) {
   constexpr std::size_t kFewestPixels = 30;
   std::vector<Eigen::Vector2d> ends;  // the outermost hand pixels of each row
-  std::size_t count = 0;
+  std::size_t count = 0;              // of pixels, as far as it matters
   for (int y = 0; y < silhouette.height(); ++y) {
-    int first = -1, last = -1;
-    for (int x = 0; x < silhouette.width(); ++x) {
-      if (silhouette(x, y) != PixelLabel::hand || !is_supported(silhouette, x, y)) continue;
-      if (first < 0) first = x;
-      last = x;
-      ++count;
+    const PixelLabel* const row = &silhouette(0, y);
+    const auto begins = static_cast<const PixelLabel*>(std::memchr(
+        row, static_cast<int>(PixelLabel::hand), static_cast<std::size_t>(silhouette.width())));
+    if (begins == nullptr) continue;
+    int first = static_cast<int>(begins - row), last = silhouette.width() - 1;
+    while (first <= last && !is_supported_hand(silhouette, first, y)) ++first;
+    while (last >= first && !is_supported_hand(silhouette, last, y)) --last;
+    if (last < first) continue;
+    for (int x = first; x <= last && count < kFewestPixels; ++x) {
+      count += is_supported_hand(silhouette, x, y) ? 1 : 0;
     }
-    if (first < 0) continue;
     ends.emplace_back(first, y);
     ends.emplace_back(last, y);
   }

@@ -18,7 +18,8 @@ struct OutlineRays {
 };
 
 /// Nothing where the silhouette has fewer than 30 hand pixels. Pixels that fewer than two of their
-/// four neighbours share count as noise. The camera must be without distortion.
+/// four neighbours share count as noise. A camera with distortion, in whose picture straight lines
+/// bow, may lose some corners.
 std::optional<OutlineRays> outline_rays(const Silhouette& silhouette, const Camera& camera);
 
 /// One camera per column, as the rig has them, in some frames; nothing where it saw no hand.

@@ -4,7 +4,9 @@
 
 #include <utility>
 
+#include "tegata/base/angle.h"
 #include "tegata/base/error.h"
+#include "tegata/pipeline/agreeing_pieces.h"
 #include "tegata/segment/segmentation.h"
 #include "tegata/take/picture_file.h"
 
@@ -64,14 +66,49 @@ Segmenter::Segmenter(Take& take, std::optional<SegmentationMethod> method, const
 std::vector<std::optional<Silhouette>> Segmenter::segment(
     const TakeFrame& frame, std::vector<SegmentationReport>* reports) const {
   std::vector<std::optional<Silhouette>> silhouettes(frame.pictures.size());
-  if (reports != nullptr) reports->assign(frame.pictures.size(), {});
+  std::vector<SegmentationReport> found(frame.pictures.size());
   for (std::size_t c = 0; c < frame.pictures.size(); ++c) {
-    if (!frame.pictures[c]) continue;
-    SegmentationReport report;
-    silhouettes[c] = segment_picture(*frame.pictures[c], c, report);
-    if (reports != nullptr) (*reports)[c] = report;
+    if (frame.pictures[c]) silhouettes[c] = segment_picture(*frame.pictures[c], c, found[c]);
   }
+  constexpr double kContradiction = 3.0 * kDegree;  // a real hand's stay well below
+  if (method_ != SegmentationMethod::mask && disagreement(rig_, silhouettes) > kContradiction) {
+    choose_agreeing(frame, silhouettes, found);
+  }
+  if (reports != nullptr) *reports = std::move(found);
   return silhouettes;
+}
+
+void Segmenter::choose_agreeing(const TakeFrame& frame,
+                                std::vector<std::optional<Silhouette>>& silhouettes,
+                                std::vector<SegmentationReport>& reports) const {
+  constexpr int kRounds = 2;  // of looking at what is left of a picture
+  HandCandidates candidates(silhouettes.size());
+  std::vector<std::vector<SegmentationReport>> of_candidates(silhouettes.size());
+  for (std::size_t c = 0; c < silhouettes.size(); ++c) {
+    if (!silhouettes[c]) continue;
+    const auto add = [&](const Silhouette& silhouette, const SegmentationReport& report) {
+      std::vector<Silhouette> pieces = pieces_alone(silhouette);
+      pieces.insert(pieces.begin(), silhouette);
+      for (Silhouette& piece : pieces) candidates[c].push_back(std::move(piece));
+      of_candidates[c].insert(of_candidates[c].end(), pieces.size(), report);
+    };
+    add(*silhouettes[c], reports[c]);
+    CameraImage left = *frame.pictures[c];
+    Silhouette taken = *silhouettes[c];
+    for (int round = 0; round < kRounds && count_pixels(taken, PixelLabel::hand) > 0; ++round) {
+      left = without_hand(left, taken);
+      SegmentationReport report;
+      taken = segment_picture(left, c, report);
+      if (report.hand_pixels > 0) add(taken, report);
+    }
+  }
+  const std::vector<std::size_t> choice = agreeing_candidates(rig_, candidates);
+  for (std::size_t c = 0; c < silhouettes.size(); ++c) {
+    if (choice[c] == 0) continue;
+    silhouettes[c] = std::move(candidates[c][choice[c]]);
+    reports[c] = of_candidates[c][choice[c]];
+    reports[c].hand_pixels = count_pixels(*silhouettes[c], PixelLabel::hand);
+  }
 }
 
 Silhouette Segmenter::segment_picture(const CameraImage& picture, std::size_t camera,

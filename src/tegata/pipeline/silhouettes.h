@@ -28,8 +28,9 @@ class Segmenter {
   SegmentationMethod method() const { return method_; }
   const CameraRig& rig() const { return rig_; }
   /// The silhouettes of a frame, one per camera of the rig in its distorted picture; nothing where
-  /// a camera has no picture. Reports, where asked for, are one per camera as well; a given mask is
-  /// sure.
+  /// a camera has no picture. Where they contradict each other, something else that stands out may
+  /// be the hand (agreeing_pieces.h); given masks are taken as they are. Reports, where asked for,
+  /// are one per camera as well; a given mask is sure.
   std::vector<std::optional<Silhouette>> segment(
       const TakeFrame& frame, std::vector<SegmentationReport>* reports = nullptr) const;
   /// What camera.undistorted() would see.
@@ -38,6 +39,8 @@ class Segmenter {
  private:
   Silhouette segment_picture(const CameraImage& picture, std::size_t camera,
                              SegmentationReport& report) const;
+  void choose_agreeing(const TakeFrame& frame, std::vector<std::optional<Silhouette>>& silhouettes,
+                       std::vector<SegmentationReport>& reports) const;
 
   SegmentationMethod method_;
   CameraRig rig_;
