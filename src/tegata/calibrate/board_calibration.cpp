@@ -190,6 +190,15 @@ CameraResiduals residuals_of(const Solution& solution, std::size_t c,
   return residuals;
 }
 
+// The error of one point that would say as much as the real ones do: errors within a view go
+// together, as its blur, its moment and the bend of its board are one [px].
+double view_error(const CameraResiduals& residuals) {
+  if (residuals.views == 0) return 0.0;
+  const double along_an_axis = residuals.rms / std::sqrt(2.0);
+  return along_an_axis *
+         std::sqrt(static_cast<double>(residuals.points) / static_cast<double>(residuals.views));
+}
+
 void describe(const Solution& solution, const std::vector<Eigen::Vector3d>& board,
               const std::vector<double>& center_deviations, BoardCalibration& calibration) {
   double sum = 0.0, count = 0.0;
@@ -197,7 +206,7 @@ void describe(const Solution& solution, const std::vector<Eigen::Vector3d>& boar
     CameraResiduals residuals = residuals_of(solution, c, board);
     const Camera& camera = solution.rig[c];
     residuals.direction_deviation =
-        std::atan(center_deviations[c] / std::min(camera.fx, camera.fy));
+        std::atan(view_error(residuals) * center_deviations[c] / std::min(camera.fx, camera.fy));
     calibration.cameras[solution.rig[c].name] = residuals;
     sum += residuals.rms * residuals.rms * static_cast<double>(residuals.points);
     count += static_cast<double>(residuals.points);

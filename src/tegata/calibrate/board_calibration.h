@@ -38,7 +38,7 @@ struct CameraResiduals {
   double rms = 0.0;                   ///< root of the mean squared distance [px]
   double coverage = 0.0;              ///< share of an 8 x 6 grid of the picture with a point in it
   /// Standard deviation of the direction in which the camera looks, as the views leave its lens's
-  /// centre open, if points are 1 px off [rad]. 0 where lenses are known.
+  /// centre open if a view's errors go together [rad]. 0 where lenses are known.
   double direction_deviation = 0.0;
 };
 
