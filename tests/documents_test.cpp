@@ -1,16 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The tegata authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// What docs/formats.md shows is what the readers take.
+// What docs/formats.md shows is what the readers take, and what docs/calibration.md tells to type
+// works.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
 #include "run_program.h"
+#include "tegata/base/random.h"
+#include "tegata/calibrate/rendered_board_for_tests.h"
+#include "tegata/math/so3.h"
+#include "tegata/pipeline/calibrate_take.h"
 #include "tegata/take/calibration_file.h"
 #include "tegata/take/hand_shape_file.h"
+#include "tegata/take/picture_file.h"
 #include "tegata/take/result.h"
 #include "tegata/take/take_info.h"
 #include "tegata/take/test_folder.h"
@@ -19,9 +26,10 @@
 namespace tegata {
 namespace {
 
-/// The fenced block of docs/formats.md whose first line after the fence starts with `opening`.
-std::string snippet(const std::string& language, const std::string& opening) {
-  std::istringstream document(read_text(TEGATA_SOURCE_DIR "/docs/formats.md"));
+/// The fenced block of a document whose first line after the fence starts with `opening`.
+std::string snippet(const std::string& language, const std::string& opening,
+                    const std::string& name = "formats.md") {
+  std::istringstream document(read_text(TEGATA_SOURCE_DIR "/docs/" + name));
   std::string block;
   bool inside = false;
   for (std::string line; std::getline(document, line);) {
@@ -35,7 +43,7 @@ std::string snippet(const std::string& language, const std::string& opening) {
       inside = true;
     }
   }
-  ADD_FAILURE() << "docs/formats.md has no block of " << language << " that starts with "
+  ADD_FAILURE() << "docs/" << name << " has no block of " << language << " that starts with "
                 << opening;
   return {};
 }
@@ -126,6 +134,95 @@ TEST_F(FormatsDocument, TruthSnippetIsRead) {
   const Truth truth = read_truth_json(file_of("json", "{\"format\": \"tegata-truth\""));
   ASSERT_EQ(truth.frames.size(), 1u);
   EXPECT_TRUE(truth.frames[0].angles.has_value());
+}
+
+// Other tools' calibrations and pictures of the board of the worked example, under the names that
+// the document uses.
+class CalibrationDocument : public testing::Test {
+ protected:
+  CalibrationDocument() {
+    std::filesystem::current_path(folder_.path());
+    for (const char* name : {"take", "easymocap_folder", "colmap_folder", "board_take"}) {
+      std::filesystem::create_directory(name);
+    }
+    write_text("camchain.yaml",
+               "cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n"
+               "  distortion_model: radtan\n  intrinsics: [600.0, 600.0, 320.0, 240.0]\n"
+               "  resolution: [640, 480]\ncam1:\n  camera_model: pinhole\n"
+               "  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n  distortion_model: radtan\n"
+               "  intrinsics: [600.0, 600.0, 320.0, 240.0]\n  resolution: [640, 480]\n"
+               "  T_cn_cnm1:\n  - [1.0, 0.0, 0.0, 0.3]\n  - [0.0, 1.0, 0.0, 0.0]\n"
+               "  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n");
+    std::string intrinsics, extrinsics;
+    for (const char* name : {"01", "02"}) {
+      intrinsics += text("K_", name, ": [900.0, 0, 960, 0, 900.0, 540, 0, 0, 1]\ndist_", name,
+                         ": [0, 0, 0, 0, 0]\n");
+      extrinsics += text("R_", name, ": [0.0, 0.", name, ", 0.0]\nT_", name, ": [0, 0, 1]\n");
+    }
+    write_text("easymocap_folder/intri.yml", intrinsics);
+    write_text("easymocap_folder/extri.yml", extrinsics);
+    write_text("colmap_folder/cameras.txt", "1 PINHOLE 640 480 600 600 320 240\n");
+    write_text("colmap_folder/images.txt",
+               "1 1 0 0 0 0 0 1 1 left/0.png\n\n2 1 0 0 0 0.3 0 1 1 right/0.png\n\n");
+    write_text("board_take/board.toml", snippet("toml", "kind = \"circles\"", "calibration.md"));
+    for (const char* name : {"left", "right"}) write_board_pictures(name, name[0] == 'l');
+  }
+  ~CalibrationDocument() override { std::filesystem::current_path("/"); }
+
+  static void write_board_pictures(const std::string& name, bool left) {
+    const std::filesystem::path folder = std::filesystem::path("board_take/images") / name;
+    std::filesystem::create_directories(folder);
+    const Board board = read_board("board_take/board.toml");
+    Camera camera;
+    camera.width = 320;
+    camera.height = 240;
+    camera.fx = camera.fy = 330.0;
+    camera.cx = 159.5;
+    camera.cy = 119.5;
+    const Rigid3d camera_from_world = {so3_exp({0.0, left ? 0.25 : -0.25, 0.0}), {0.0, 0.0, 0.55}};
+    const auto points = board_points(board);
+    const Rigid3d middled = {Eigen::Quaterniond::Identity(),
+                             -0.5 * (points.front() + points.back())};
+    Random random(4);
+    for (int f = 0; f < 10; ++f) {
+      const auto about = [&](double most) { return random.uniform(-most, most); };
+      const Eigen::Vector3d turn(about(0.5), about(0.4), about(1.0));
+      const Rigid3d world_from_board = {so3_exp(turn), {about(0.08), about(0.05), about(0.06)}};
+      write_picture(
+          render_board(circles_paint(board), camera, camera_from_world * world_from_board * middled,
+                       {29500, 30400, 16, 12.0}),
+          folder / text(f, ".png"));
+    }
+  }
+  TestFolder folder_;
+};
+
+TEST_F(CalibrationDocument, ItsCommandsWork) {
+  std::istringstream document(read_text(TEGATA_SOURCE_DIR "/docs/calibration.md"));
+  int count = 0;
+  for (std::string line; std::getline(document, line);) {
+    if (!line.starts_with("tegata ")) continue;
+    std::istringstream words(line.substr(line.find(' ')));
+    std::vector<std::string> arguments;
+    for (std::string word; words >> word;) arguments.push_back(word);
+    if (line.starts_with("tegata calibration check")) {
+      std::filesystem::remove_all("take");
+      ASSERT_EQ(run_program({"simulate", "take", "--frames", "2", "--size", "320x240"}).exit_code,
+                0);
+    } else {
+      std::filesystem::remove("take/calibration.toml");
+    }
+    const ProgramRun run = run_program(arguments);
+    EXPECT_EQ(run.exit_code, 0) << line << ": " << run.err;
+    EXPECT_EQ(read_calibration("take/calibration.toml").size(), arguments[1] == "check" ? 3u : 2u);
+    ++count;
+    if (arguments[0] != "calibrate") continue;
+    EXPECT_TRUE(std::filesystem::exists("coverage.png"));
+    const CameraRig rig = read_calibration("take/calibration.toml");
+    EXPECT_NEAR((rig[0].center_in_world() - rig[1].center_in_world()).norm(),
+                2.0 * 0.55 * std::sin(0.25), 0.01);
+  }
+  EXPECT_GE(count, 5);
 }
 
 }  // namespace
