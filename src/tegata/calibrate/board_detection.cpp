@@ -134,7 +134,8 @@ BoardView BoardDetector::State::detect_charuco(const cv::Mat& gray) const {
   for (int i = 0; i < corner_ids.rows; ++i) {
     const auto& pixel = corners.at<cv::Point2f>(i);
     view.points.push_back(corner_ids.at<int>(i));
-    view.pixels.emplace_back(pixel.x, pixel.y);
+    // OpenCV counts these from the corner of the first pixel, all others from its centre.
+    view.pixels.emplace_back(pixel.x - 0.5, pixel.y - 0.5);
   }
   return view;
 }
