@@ -20,6 +20,8 @@ constexpr double kLeastDrop = 0.15, kLeastJump = 0.03;
 // More of a seen hand beside the fitted one than so much [m] and so many times what is usual in the
 // frames' worst views: a hand of another shape has some in all.
 constexpr double kMostUncovered = 1.5e-3, kMostUncoveredRatio = 3.0;
+// A frame without all its cameras is where to look, but for those that are not to be trusted.
+constexpr double kLeftOutSeverity = 0.6;
 // Over all frames, of a result that is good and that is fair [m].
 constexpr double kGoodUncovered = 5e-4, kFairUncovered = 4e-3;
 constexpr double kSigmaOfDeviation = 1.4826;  // of a normal distribution
@@ -175,6 +177,7 @@ std::vector<FrameDoubt> frame_doubts(const Result& result) {
       if (frame.status != "ok") reasons.emplace_back(0.95, frame.status);
       doubt_overlaps(result, i, severity, reasons);
       doubt_uncovered(frame, uncovered, severity, reasons);
+      if (!frame.left_out.empty()) severity = std::max(severity, kLeftOutSeverity);
       if (frame.views.size() < kEnoughViews &&
           static_cast<double>(frame.views.size()) < view_count) {
         reasons.emplace_back(0.5, fmt::format("seen by {} cameras only", frame.views.size()));

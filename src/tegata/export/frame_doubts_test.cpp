@@ -101,6 +101,7 @@ TEST(FrameDoubts, CameraThatWasLeftOutIsNamedWithTheReason) {
   for (const std::size_t broken : {3u, 5u, 7u}) result.frames[broken].left_out["b"] = "it is dark";
   const auto doubts = frame_doubts(result);
   EXPECT_TRUE(doubts[5].reasons.empty());
+  EXPECT_EQ(worst_frame(doubts), 3u);
   EXPECT_EQ(fit_verdict(result, doubts).sentence,
             "12 of 12 frames can be trusted. b was left out of 3: it is dark.");
 }
