@@ -83,8 +83,8 @@ function doubtList(report: Report, player: Player): HTMLElement {
     return element(
       'p',
       { class: 'soft' },
-      `No frame stands out. The lowest overlap is that of frame ${frame.name}`,
-      least === undefined ? '.' : `: ${least.toFixed(2)}.`,
+      `No frame is in doubt. Look first at frame ${frame.name}`,
+      least === undefined ? '.' : `: its lowest overlap is ${least.toFixed(2)}.`,
     );
   }
   const list = element('ul', { class: 'doubts', 'aria-label': 'Frames not to be trusted' });

@@ -46,7 +46,7 @@ export function timeline(report: Report, player: Player): HTMLElement {
   const position = element('div', { class: 'position' });
   const { worst } = report.verdict;
   const flag = element('div', { class: 'worst', title: `The worst frame: ${report.frames[worst].name}` },
-    player.doubtful.length > 0 ? '▼ worst' : '▼ lowest');
+    player.doubtful.length > 0 ? '▼ worst' : '▼ first');
   const strip = element('div', {
     class: 'strip', role: 'slider', tabindex: 0, 'aria-label': 'Frame',
     'aria-valuemin': 1, 'aria-valuemax': count,
