@@ -25,17 +25,6 @@ constexpr double kSuspiciousRatio = 3.0, kAgreeingRatio = 1.5;
 // Or with less than this part of what is uncovered in the view that contradicts them.
 constexpr double kAgreeingShare = 0.1;
 
-using Uncovered = std::vector<double>;  // one a view [m]; 0 where nothing can be said
-
-Uncovered uncovered(const FitHand& hand, const FitFrame& frame, const HandPose& pose) {
-  const PosedHand posed = hand.posed(pose);
-  Uncovered distances;
-  for (const FitView& view : frame.views) {
-    distances.push_back(uncovered_distance(hand, posed, view).value_or(0.0));
-  }
-  return distances;
-}
-
 FitFrame without_view(const FitFrame& frame, std::size_t view) {
   FitFrame others = frame;
   others.views.erase(others.views.begin() + static_cast<std::ptrdiff_t>(view));
@@ -70,23 +59,34 @@ Hypothesis leave_out(const FitHand& hand, const FitFrame& frame, std::size_t vie
   pose = fit_known(hand, others, pose, object, schedule).pose;
   // The angles were free to move a little; the pose alone is of the frame.
   pose.angles = start.angles;
-  const Uncovered left = uncovered(hand, frame, pose);
+  const std::vector<double> left = uncovered_distances(hand, frame, pose);
   const double all = std::accumulate(left.begin(), left.end(), 0.0);
   return {left[view], (all - left[view]) / static_cast<double>(others.views.size()), pose};
 }
 
 }  // namespace
 
+std::vector<double> uncovered_distances(const FitHand& hand, const FitFrame& frame,
+                                        const HandPose& pose) {
+  const PosedHand posed = hand.posed(pose);
+  std::vector<double> distances;
+  for (const FitView& view : frame.views) {
+    distances.push_back(uncovered_distance(hand, posed, view).value_or(0.0));
+  }
+  return distances;
+}
+
 std::vector<Contradiction> find_contradictions(const FitHand& hand,
                                                std::span<const FitFrame* const> frames,
                                                const std::vector<HandPose>& poses,
                                                const TriangleMesh& object,
                                                const ContradictionOptions& options, int threads) {
-  std::vector<Uncovered> left(frames.size());
+  std::vector<std::vector<double>> left(frames.size());
   parallel_for(frames.size(), threads,
-               [&](std::size_t f) { left[f] = uncovered(hand, *frames[f], poses[f]); });
+               [&](std::size_t f) { left[f] = uncovered_distances(hand, *frames[f], poses[f]); });
   std::vector<double> all;
-  for (const Uncovered& distances : left) all.insert(all.end(), distances.begin(), distances.end());
+  for (const std::vector<double>& distances : left)
+    all.insert(all.end(), distances.begin(), distances.end());
   const double usual = all.empty() ? 0.0 : median(all);
   const double suspicious = kSuspicious * hand.scale + kSuspiciousRatio * usual;
   const double contradictory = kContradictory * hand.scale + kSuspiciousRatio * usual;

@@ -14,6 +14,10 @@
 
 namespace tegata {
 
+/// uncovered_distance() in each view of a frame [m]; 0 where a view can say nothing.
+std::vector<double> uncovered_distances(const FitHand& hand, const FitFrame& frame,
+                                        const HandPose& pose);
+
 /// A view that contradicts the others of its frame: a camera that was pushed, or a picture of
 /// another moment.
 struct Contradiction {

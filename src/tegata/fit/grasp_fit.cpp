@@ -10,7 +10,6 @@
 #include "tegata/base/parallel.h"
 #include "tegata/base/stopwatch.h"
 #include "tegata/fit/known_grasp.h"
-#include "tegata/fit/support.h"
 #include "tegata/math/median.h"
 
 namespace tegata {
@@ -232,9 +231,8 @@ double uncovered_by(const FitHand& hand, std::span<const FitFrame* const> frames
                     const GraspFit& grasp, int threads) {
   std::vector<double> most(frames.size(), 0.0);
   parallel_for(frames.size(), threads, [&](std::size_t f) {
-    const PosedHand posed = hand.posed(grasp.poses[f]);
-    for (const FitView& view : frames[f]->views) {
-      most[f] = std::max(most[f], uncovered_distance(hand, posed, view).value_or(0.0));
+    for (const double distance : uncovered_distances(hand, *frames[f], grasp.poses[f])) {
+      most[f] = std::max(most[f], distance);
     }
   });
   return std::accumulate(most.begin(), most.end(), 0.0) / static_cast<double>(most.size());
