@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "tegata/math/median.h"
+
 namespace tegata {
 namespace {
 
@@ -29,11 +31,8 @@ constexpr std::size_t kEnoughViews = 3, kFramesAround = 5;
 
 using Reason = std::pair<double, std::string>;  // severity, words
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+double median_or_zero(std::vector<double> values) {
+  return values.empty() ? 0.0 : median(std::move(values));
 }
 
 /// What a camera's overlap is in the frames around one, and how much it varies there. Overlaps
@@ -50,9 +49,9 @@ Usual usual_overlap(const Result& result, const std::string& camera, std::size_t
     const auto found = result.frames[i].silhouette_iou.find(camera);
     if (found != result.frames[i].silhouette_iou.end()) values.push_back(found->second);
   }
-  const double middle = median(values);
+  const double middle = median_or_zero(values);
   for (double& value : values) value = std::abs(value - middle);
-  return {middle, kSigmaOfDeviation * median(values)};
+  return {middle, kSigmaOfDeviation * median_or_zero(values)};
 }
 
 /// How far each wrist lies off the middle of the one before and the one after [m]; negative where
@@ -71,7 +70,7 @@ std::vector<double> wrist_jumps(const std::vector<ResultFrame>& frames) {
 
 double usual_jump(std::vector<double> jumps) {
   std::erase_if(jumps, [](double jump) { return jump < 0.0; });
-  return median(jumps);
+  return median_or_zero(jumps);
 }
 
 double usual_view_count(const Result& result) {
@@ -79,7 +78,7 @@ double usual_view_count(const Result& result) {
   for (const ResultFrame& frame : result.frames) {
     if (frame.pose) counts.push_back(static_cast<double>(frame.views.size()));
   }
-  return median(counts);
+  return median_or_zero(counts);
 }
 
 double uncovered_in(const ResultFrame& frame, const std::string& camera) {
@@ -101,7 +100,7 @@ double usual_uncovered(const Result& result) {
   for (const ResultFrame& frame : result.frames) {
     if (const auto most = most_uncovered(frame)) values.push_back(most->second);
   }
-  return median(std::move(values));
+  return median_or_zero(std::move(values));
 }
 
 void doubt_uncovered(const ResultFrame& frame, double usual, double& severity,
