@@ -89,7 +89,10 @@ BoardView detect_chessboard(const cv::Mat& gray, const Board& board) {
   return whole_view(corners);
 }
 
-BoardView detect_circles(const cv::Mat& gray, const Board& board) {
+// Centres of what may be a circle of a board of `count`, [px]. A picture without a board, stretched
+// to all greys, shows thousands of specks of noise, among which a search for a grid takes hours:
+// the largest are kept.
+std::vector<cv::Point2f> round_blobs(const cv::Mat& gray, int count) {
   cv::SimpleBlobDetector::Params params;
   params.minThreshold = 20.0f;
   params.maxThreshold = 235.0f;
@@ -101,12 +104,26 @@ BoardView detect_circles(const cv::Mat& gray, const Board& board) {
   params.minConvexity = 0.85f;
   params.filterByInertia = true;
   params.minInertiaRatio = 0.15f;
-  const cv::Ptr<cv::FeatureDetector> blobs = cv::SimpleBlobDetector::create(params);
+  std::vector<cv::KeyPoint> blobs;
+  cv::SimpleBlobDetector::create(params)->detect(gray, blobs);
+  std::stable_sort(blobs.begin(), blobs.end(),
+                   [](const cv::KeyPoint& a, const cv::KeyPoint& b) { return a.size > b.size; });
+  const std::size_t most = 3 * static_cast<std::size_t>(count);
+  if (blobs.size() > most) blobs.resize(most);
+  std::vector<cv::Point2f> centers;
+  cv::KeyPoint::convert(blobs, centers);
+  return centers;
+}
+
+BoardView detect_circles(const cv::Mat& gray, const Board& board) {
+  const int count = board.columns * board.rows;
+  const std::vector<cv::Point2f> blobs = round_blobs(gray, count);
+  if (blobs.size() < static_cast<std::size_t>(count)) return {};
   std::vector<cv::Point2f> centers;
   const cv::Size size(board.columns, board.rows);
   for (const int flags : {int{cv::CALIB_CB_ASYMMETRIC_GRID},
                           cv::CALIB_CB_ASYMMETRIC_GRID | cv::CALIB_CB_CLUSTERING}) {
-    if (cv::findCirclesGrid(gray, size, centers, flags, blobs)) return whole_view(centers);
+    if (cv::findCirclesGrid(blobs, size, centers, flags, nullptr)) return whole_view(centers);
   }
   return {};
 }
