@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/fit/view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -36,8 +37,13 @@ FitView make_fit_view(const Camera& camera, Silhouette silhouette) {
   view.camera = camera;
   view.hand_distance = std::make_shared<const Image<float>>(
       signed_distance(silhouette, [](PixelLabel label) { return label == PixelLabel::hand; }));
-  view.possible_distance = std::make_shared<const Image<float>>(signed_distance(
-      silhouette, [](PixelLabel label) { return label != PixelLabel::background; }));
+  const auto& labels = silhouette.values();
+  if (std::find(labels.begin(), labels.end(), PixelLabel::unknown) == labels.end()) {
+    view.possible_distance = view.hand_distance;
+  } else {
+    view.possible_distance = std::make_shared<const Image<float>>(signed_distance(
+        silhouette, [](PixelLabel label) { return label != PixelLabel::background; }));
+  }
   view.contour = silhouette_contour(silhouette);
   view.silhouette = std::move(silhouette);
   return view;

@@ -30,18 +30,34 @@ struct Corner {
   bool visible = false;
 };
 
+// To the nearest grid point, for what is nearer than kFarthest pixels.
+std::int64_t on_grid(double pixels) {
+  constexpr std::int64_t kOffset = std::int64_t{1} << 40;  // makes it positive: cut off is down
+  return static_cast<std::int64_t>(pixels * static_cast<double>(kGrid) +
+                                   (static_cast<double>(kOffset) + 0.5)) -
+         kOffset;
+}
+
 std::vector<Corner> project_corners(std::span<const Eigen::Vector3d> vertices,
                                     const Camera& camera) {
   const double radius = invertible_radius(camera);
+  const bool is_ideal = !camera.is_distorted();
   const Eigen::Matrix3d rotation = camera.camera_from_world.rotation.toRotationMatrix();
   std::vector<Corner> corners(vertices.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Eigen::Vector3d point = rotation * vertices[i] + camera.camera_from_world.translation;
-    const auto pixel = project_camera_point(camera, point);
-    if (!pixel || point.head<2>().norm() > radius * point.z()) continue;
-    if (!(pixel->cwiseAbs().maxCoeff() < kFarthest)) continue;
-    corners[i] = {std::llround(pixel->x() * static_cast<double>(kGrid)),
-                  std::llround(pixel->y() * static_cast<double>(kGrid)), 1.0 / point.z(), true};
+    Eigen::Vector2d pixel;
+    if (is_ideal) {
+      if (!(point.z() > 0.0)) continue;
+      pixel = {camera.fx * (point.x() / point.z()) + camera.cx,
+               camera.fy * (point.y() / point.z()) + camera.cy};
+    } else {
+      const auto projected = project_camera_point(camera, point);
+      if (!projected || point.head<2>().norm() > radius * point.z()) continue;
+      pixel = *projected;
+    }
+    if (!(pixel.cwiseAbs().maxCoeff() < kFarthest)) continue;
+    corners[i] = {on_grid(pixel.x()), on_grid(pixel.y()), 1.0 / point.z(), true};
   }
   return corners;
 }
@@ -82,8 +98,8 @@ struct PixelRun {
   double inverse_depth, inverse_depth_step;
 };
 
-// Calls visit(run) for every row of pixel centres in the triangle.
-template <typename Visit>
+// Calls visit(run) for every row of pixel centres in the triangle; its depths only where asked for.
+template <bool kDepths, typename Visit>
 void scan_triangle(std::array<Corner, 3> c, const Camera& camera, Faces faces, const Visit& visit) {
   // With y down, a triangle that runs counter-clockwise has a negative area.
   std::int64_t area = twice_area(c[0], c[1], c[2]);
@@ -96,13 +112,12 @@ void scan_triangle(std::array<Corner, 3> c, const Camera& camera, Faces faces, c
   if (box.left > box.right) return;
   Edge e0(c[1], c[2], box.left, box.top), e1(c[2], c[0], box.left, box.top),
       e2(c[0], c[1], box.left, box.top);
-  const double scale = 1.0 / static_cast<double>(area);
   // 1 / z is linear in the picture: the corners' values weighted by the opposite edges' functions.
-  const double w0 = c[0].inverse_depth * scale, w1 = c[1].inverse_depth * scale,
-               w2 = c[2].inverse_depth * scale;
   const auto inverse_depth = [&](std::int64_t v0, std::int64_t v1, std::int64_t v2) {
-    return static_cast<double>(v0) * w0 + static_cast<double>(v1) * w1 +
-           static_cast<double>(v2) * w2;
+    return (static_cast<double>(v0) * c[0].inverse_depth +
+            static_cast<double>(v1) * c[1].inverse_depth +
+            static_cast<double>(v2) * c[2].inverse_depth) /
+           static_cast<double>(area);
   };
   for (int y = box.top; y <= box.bottom; ++y) {
     std::int64_t v0 = e0.at_row - e0.threshold, v1 = e1.at_row - e1.threshold,
@@ -115,8 +130,11 @@ void scan_triangle(std::array<Corner, 3> c, const Camera& camera, Faces faces, c
       v2 += e2.step_x;
     }
     if (x <= box.right) {
-      PixelRun run{y, x, x, inverse_depth(v0 + e0.threshold, v1 + e1.threshold, v2 + e2.threshold),
-                   inverse_depth(e0.step_x, e1.step_x, e2.step_x)};
+      PixelRun run{y, x, x, 0.0, 0.0};
+      if constexpr (kDepths) {
+        run.inverse_depth = inverse_depth(v0 + e0.threshold, v1 + e1.threshold, v2 + e2.threshold);
+        run.inverse_depth_step = inverse_depth(e0.step_x, e1.step_x, e2.step_x);
+      }
       for (; run.last_x < box.right; ++run.last_x) {
         v0 += e0.step_x;
         v1 += e1.step_x;
@@ -132,7 +150,7 @@ void scan_triangle(std::array<Corner, 3> c, const Camera& camera, Faces faces, c
 }
 
 // Calls visit(run, triangle) for every row of pixel centres in every triangle.
-template <typename Visit>
+template <bool kDepths, typename Visit>
 void scan_triangles(std::span<const Eigen::Vector3d> vertices, std::span<const Triangle> triangles,
                     const Camera& camera, Faces faces, const Visit& visit) {
   const std::vector<Corner> corners = project_corners(vertices, camera);
@@ -140,8 +158,8 @@ void scan_triangles(std::span<const Eigen::Vector3d> vertices, std::span<const T
     const Triangle& t = triangles[i];
     const std::array<Corner, 3> c = {corners[t[0]], corners[t[1]], corners[t[2]]};
     if (!c[0].visible || !c[1].visible || !c[2].visible) continue;
-    scan_triangle(c, camera, faces,
-                  [&](const PixelRun& run) { visit(run, static_cast<std::int32_t>(i)); });
+    scan_triangle<kDepths>(c, camera, faces,
+                           [&](const PixelRun& run) { visit(run, static_cast<std::int32_t>(i)); });
   }
 }
 
@@ -151,18 +169,18 @@ RenderedMesh render(const TriangleMesh& mesh, const Camera& camera) {
   RenderedMesh picture{
       Image<float>(camera.width, camera.height, std::numeric_limits<float>::infinity()),
       Image<std::int32_t>(camera.width, camera.height, -1)};
-  scan_triangles(mesh.vertices, mesh.triangles, camera, Faces::all,
-                 [&](const PixelRun& run, std::int32_t triangle) {
-                   for (int x = run.first_x; x <= run.last_x; ++x) {
-                     const double inverse_depth =
-                         run.inverse_depth + (x - run.first_x) * run.inverse_depth_step;
-                     const float depth = static_cast<float>(1.0 / inverse_depth);
-                     // Of two at the same depth the first one stays.
-                     if (depth >= picture.depth(x, run.y)) continue;
-                     picture.depth(x, run.y) = depth;
-                     picture.triangle(x, run.y) = triangle;
-                   }
-                 });
+  scan_triangles<true>(mesh.vertices, mesh.triangles, camera, Faces::all,
+                       [&](const PixelRun& run, std::int32_t triangle) {
+                         for (int x = run.first_x; x <= run.last_x; ++x) {
+                           const double inverse_depth =
+                               run.inverse_depth + (x - run.first_x) * run.inverse_depth_step;
+                           const float depth = static_cast<float>(1.0 / inverse_depth);
+                           // Of two at the same depth the first one stays.
+                           if (depth >= picture.depth(x, run.y)) continue;
+                           picture.depth(x, run.y) = depth;
+                           picture.triangle(x, run.y) = triangle;
+                         }
+                       });
   return picture;
 }
 
@@ -174,7 +192,7 @@ Silhouette render_silhouette(std::span<const Eigen::Vector3d> vertices,
                              std::span<const Triangle> triangles, const Camera& camera,
                              Faces faces) {
   Silhouette silhouette(camera.width, camera.height, PixelLabel::background);
-  scan_triangles(vertices, triangles, camera, faces, [&](const PixelRun& run, std::int32_t) {
+  scan_triangles<false>(vertices, triangles, camera, faces, [&](const PixelRun& run, std::int32_t) {
     std::fill_n(&silhouette(run.first_x, run.y), run.last_x - run.first_x + 1, PixelLabel::hand);
   });
   return silhouette;
