@@ -27,56 +27,97 @@ bool is_hidden(const OutlinePoint& point, const Eigen::Vector2d& pixel, const Fi
          view.is_hidden(pixel, (view.camera.camera_from_world * point.point).z());
 }
 
+// What is asked of the outline's points, summed up for each: the normal equations of all residuals
+// at a point are those of its pixel, two rows, whatever their directions.
 class OutlineSum {
  public:
-  OutlineSum(const PosedHand& posed, const ShapeMotion* shape, const FitView& view,
-             const ContourTermOptions& options, double count, double scale,
-             FrameEquations& equations)
-      : posed_(posed),
-        shape_(shape),
+  OutlineSum(const std::vector<OutlinePoint>& outline, const FitView& view,
+             const ContourTermOptions& options, double scale)
+      : outline_(outline),
         camera_(view.camera),
-        sigma_{options.sigma * scale, options.violation_sigma * scale},
-        precision_(options.weight / (count * options.standard_deviation *
-                                     options.standard_deviation * scale * scale)),
-        equations_(equations) {}
+        kernels_{LorentzianKernel(options.sigma * scale),
+                 LorentzianKernel(options.violation_sigma * scale)},
+        precision_(options.weight /
+                   (options.standard_deviation * options.standard_deviation * scale * scale)),
+        unmatched_cost_(kernels_[0].cost(options.sigma * scale)),
+        pixels_(outline.size()) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const double depth = (camera_.camera_from_world * outline[i].point).z();
+      pixels_[i].metres_per_px = depth / camera_.fx;
+    }
+  }
 
+  // The residuals that follow are `count`: their mean counts.
+  void begin(double count) { share_ = precision_ / count; }
   // `gap_px` is the residual, `direction` its gradient by the outline point's pixel, `distance_px`
   // what the kernel is asked about.
-  void add(const OutlinePoint& point, double gap_px, const Eigen::Vector2d& direction,
-           double distance_px, bool is_violation) {
-    const double metres_per_px = metres_per_pixel(point);
-    const LorentzianKernel kernel(sigma_[is_violation ? 1 : 0]);
-    const double distance = distance_px * metres_per_px;
-    const Eigen::RowVector3d along =
-        metres_per_px * direction.transpose() * project_jacobian(camera_, point.point);
-    equations_.add(gap_px * metres_per_px, outline_row(posed_, point, along),
-                   precision_ * kernel.weight(distance), precision_ * kernel.cost(distance),
-                   outline_shape_row(shape_, point, along));
+  void add(std::size_t point, double gap_px, const Eigen::Vector2d& direction, double distance_px,
+           bool is_violation) {
+    PixelSum& pixel = pixels_[point];
+    const LorentzianKernel& kernel = kernels_[is_violation ? 1 : 0];
+    const double distance = distance_px * pixel.metres_per_px;
+    const Eigen::Vector2d weighted = share_ * kernel.weight(distance) * direction;
+    pixel.information += weighted * direction.transpose();
+    pixel.gradient += gap_px * weighted;
+    cost_ += share_ * kernel.cost(distance);
   }
   // A point without a counterpart costs what one at sigma costs, so that nothing is won by losing
   // it.
-  void add_unmatched() {
-    equations_.cost += precision_ * LorentzianKernel(sigma_[0]).cost(sigma_[0]);
+  void add_unmatched() { cost_ += share_ * unmatched_cost_; }
+
+  void add_to(FrameEquations& equations, const PosedHand& posed, const ShapeMotion* shape) const {
+    equations.cost += cost_;
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+      const PixelSum& pixel = pixels_[i];
+      // L D L^T of the 2 x 2 sum, the larger entry first.
+      const int first = pixel.information(1, 1) > pixel.information(0, 0) ? 1 : 0;
+      const double larger = pixel.information(first, first);
+      if (!(larger > 0.0)) continue;
+      const double factor = pixel.information(0, 1) / larger;
+      const double smaller = pixel.information(1 - first, 1 - first) - factor * factor * larger;
+      const double rest = pixel.gradient[1 - first] - factor * pixel.gradient[first];
+      Eigen::Vector2d direction = Eigen::Vector2d::Unit(1 - first);
+      if (smaller > 1e-12 * larger) {
+        add_row(i, direction, smaller, rest / smaller, equations, posed, shape);
+      }
+      direction *= factor;
+      direction[first] = 1.0;
+      add_row(i, direction, larger, pixel.gradient[first] / larger, equations, posed, shape);
+    }
   }
 
  private:
-  double metres_per_pixel(const OutlinePoint& point) const {
-    return (camera_.camera_from_world * point.point).z() / camera_.fx;
+  struct PixelSum {
+    double metres_per_px = 0.0;
+    Eigen::Matrix2d information = Eigen::Matrix2d::Zero();  // sum of w d d^T
+    Eigen::Vector2d gradient = Eigen::Vector2d::Zero();     // sum of w gap d
+  };
+
+  // A residual in pixels along a direction of the picture.
+  void add_row(std::size_t i, const Eigen::Vector2d& direction, double weight, double gap_px,
+               FrameEquations& equations, const PosedHand& posed, const ShapeMotion* shape) const {
+    const OutlinePoint& point = outline_[i];
+    const double metres_per_px = pixels_[i].metres_per_px;
+    const Eigen::RowVector3d along =
+        metres_per_px * direction.transpose() * project_jacobian(camera_, point.point);
+    equations.add(gap_px * metres_per_px, outline_row(posed, point, along), weight, 0.0,
+                  outline_shape_row(shape, point, along));
   }
 
-  const PosedHand& posed_;
-  const ShapeMotion* shape_;
+  const std::vector<OutlinePoint>& outline_;
   const Camera& camera_;
-  double sigma_[2];
-  double precision_;
-  FrameEquations& equations_;
+  LorentzianKernel kernels_[2];
+  double precision_, unmatched_cost_, share_ = 0.0, cost_ = 0.0;
+  std::vector<PixelSum> pixels_;
 };
 
 // Outline points against the distance to the silhouette's border. Positive gap: hand pixels lie
 // outside the outline.
 void add_outline_to_silhouette(const std::vector<OutlinePoint>& outline, const FitView& view,
                                OutlineSum& sum) {
-  for (const OutlinePoint& point : outline) {
+  sum.begin(static_cast<double>(outline.size()));
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const OutlinePoint& point = outline[i];
     if (!point.beyond_wrist || view.is_forearm(point.pixel)) continue;
     const double x = point.pixel.x(), y = point.pixel.y();
     const float gap = sample_bilinear(*view.hand_distance, x, y);
@@ -90,7 +131,7 @@ void add_outline_to_silhouette(const std::vector<OutlinePoint>& outline, const F
     if (-gradient.dot(point.normal) < kLeastNormalProduct) {
       sum.add_unmatched();
     } else {
-      sum.add(point, gap, gradient, std::abs(gap), gap > 0.0F);
+      sum.add(i, gap, gradient, std::abs(gap), gap > 0.0F);
     }
   }
 }
@@ -127,6 +168,7 @@ const OutlinePoint* nearest_facing(const std::vector<OutlinePoint>& outline,
 // Contour points of the silhouette against the nearest outline point that faces the same way.
 void add_silhouette_to_outline(const std::vector<OutlinePoint>& outline, const FitView& view,
                                std::size_t step, OutlineSum& sum) {
+  sum.begin(static_cast<double>((view.contour.size() + step - 1) / step));
   for (std::size_t i = 0; i < view.contour.size(); i += step) {
     const ContourPoint& contour_point = view.contour[i];
     if (view.is_forearm(contour_point.pixel)) continue;
@@ -140,7 +182,8 @@ void add_silhouette_to_outline(const std::vector<OutlinePoint>& outline, const F
     if (is_hidden(*point, beside, view)) continue;
     const Eigen::Vector2d difference = point->pixel - contour_point.pixel;
     const double gap = -contour_point.normal.dot(difference);
-    sum.add(*point, gap, -contour_point.normal, difference.norm(), gap > 0.0);
+    sum.add(static_cast<std::size_t>(point - outline.data()), gap, -contour_point.normal,
+            difference.norm(), gap > 0.0);
   }
 }
 
@@ -153,13 +196,10 @@ void add_contour_term(const FitHand& hand, const PosedHand& posed, const FitView
   const std::vector<OutlinePoint> outline =
       hand_outline(hand, posed, view.camera, options.coarseness);
   if (outline.empty() || view.contour.empty()) return;
-  OutlineSum outline_sum(posed, shape, view, options, static_cast<double>(outline.size()),
-                         hand.scale, equations);
-  add_outline_to_silhouette(outline, view, outline_sum);
-  OutlineSum contour_sum(posed, shape, view, options,
-                         static_cast<double>((view.contour.size() + step - 1) / step), hand.scale,
-                         equations);
-  add_silhouette_to_outline(outline, view, step, contour_sum);
+  OutlineSum sum(outline, view, options, hand.scale);
+  add_outline_to_silhouette(outline, view, sum);
+  add_silhouette_to_outline(outline, view, step, sum);
+  sum.add_to(equations, posed, shape);
 }
 
 }  // namespace tegata

@@ -127,11 +127,11 @@ std::vector<std::size_t> spread(std::size_t count, std::size_t most) {
 }
 
 FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& start,
-                   const FitSchedule& schedule) {
+                   const FitSchedule& schedule, int threads) {
   HandEstimate estimate{start.angles, {start.world_from_hand}};
   const FitFrame* const frames[] = {&frame};
   FrameFit fit;
-  fit.report = minimise(hand, frames, schedule, 1, estimate);
+  fit.report = minimise(hand, frames, schedule, threads, estimate);
   fit.pose = estimate.pose(0);
   return fit;
 }

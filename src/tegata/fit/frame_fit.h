@@ -60,7 +60,7 @@ struct FrameFit {
 
 /// Fits one frame from a start, through all stages of a schedule.
 FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& start,
-                   const FitSchedule& schedule);
+                   const FitSchedule& schedule, int threads = 1);
 
 /// Fits one frame from several starts through several schedules that end with the same stage; the
 /// lowest energy wins. Of more than `kept` starts only the best are followed after the first stage

@@ -50,7 +50,8 @@ bool HandTracker::is_hand(const FitFrame& frame, const FrameFit& fit) const {
 
 std::optional<FrameFit> HandTracker::follow(const FitFrame& frame) const {
   const Rigid3d expected = last_but_one_ ? extrapolated(*last_but_one_, *last_) : *last_;
-  const FrameFit fit = fit_frame(hand_, frame, {expected, angles_}, with_known_angles());
+  const FrameFit fit =
+      fit_frame(hand_, frame, {expected, angles_}, with_known_angles(), options_.threads);
   return is_hand(frame, fit) ? std::optional(fit) : std::nullopt;
 }
 
@@ -62,7 +63,7 @@ std::optional<FrameFit> HandTracker::search(const FitFrame& frame) const {
       knows_angles ? holding(options_.search, angles_, kDeviationsOnceLost) : options_.search,
       options_.threads);
   // Once more as frames are followed, so that energies can be compared.
-  const FrameFit fit = fit_frame(hand_, frame, found.pose, options_.follow);
+  const FrameFit fit = fit_frame(hand_, frame, found.pose, options_.follow, options_.threads);
   return is_hand(frame, fit) ? std::optional(fit) : std::nullopt;
 }
 

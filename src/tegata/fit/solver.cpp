@@ -3,6 +3,7 @@
 #include "tegata/fit/solver.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "tegata/base/parallel.h"
 #include "tegata/math/so3.h"
@@ -12,6 +13,37 @@ namespace {
 
 constexpr double kAngleTolerance = 2e-4;   // largest turn of a step that is no change [rad]
 constexpr double kLengthTolerance = 2e-5;  // largest shift of a step that is no change [m]
+
+// A frame's terms in parts: one for each view, then what is known in space.
+std::size_t part_count(const FitFrame& frame, const FitStage& stage) {
+  return (stage.contour ? frame.views.size() : 0) + 1;
+}
+
+void add_part(const FitHand& hand, const PosedHand& posed, const FitFrame& frame,
+              const FitStage& stage, std::size_t part, FrameEquations& equations,
+              const ShapeMotion* shape) {
+  if (part + 1 < part_count(frame, stage)) {
+    add_contour_term(hand, posed, frame.views[part], *stage.contour, equations, shape);
+    return;
+  }
+  if (stage.hull && frame.hull) {
+    add_hull_term(hand, posed, *frame.hull, *stage.hull, equations, shape);
+  }
+  if (stage.landmarks && frame.landmarks) {
+    add_landmark_term(hand, posed, *frame.landmarks, *stage.landmarks, equations);
+  }
+}
+
+struct Part {
+  std::size_t frame, number;
+  FrameEquations equations;
+};
+
+void add(const FrameEquations& part, FrameEquations& sum) {
+  sum.hessian += part.hessian;
+  sum.gradient += part.gradient;
+  sum.cost += part.cost;
+}
 
 // The energy of all frames at an estimate and its normal equations.
 struct Linearisation {
@@ -33,12 +65,23 @@ struct Problem {
   int threads;
 
   Linearisation linearise(const HandEstimate& estimate) const {
+    // Views are looked at side by side, so that one frame alone is quicker as well.
+    std::vector<Part> parts;
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+      for (std::size_t p = 0; p < part_count(*frames[f], stage); ++p)
+        parts.push_back({f, p, FrameEquations()});
+    }
+    std::vector<std::optional<PosedHand>> posed(frames.size());
+    parallel_for(frames.size(), threads,
+                 [&](std::size_t f) { posed[f].emplace(hand.posed(estimate.pose(f))); });
+    parallel_for(parts.size(), threads, [&](std::size_t i) {
+      Part& part = parts[i];
+      add_part(hand, *posed[part.frame], *frames[part.frame], stage, part.number, part.equations,
+               nullptr);
+    });
     Linearisation result;
     result.frames.resize(frames.size());
-    parallel_for(frames.size(), threads, [&](std::size_t f) {
-      const PosedHand posed = hand.posed(estimate.pose(f));
-      add_frame_terms(hand, posed, *frames[f], stage, result.frames[f]);
-    });
+    for (const Part& part : parts) add(part.equations, result.frames[part.frame]);
     add_angle_terms(hand, estimate.angles, stage, frames.size(), result.prior);
     return result;
   }
@@ -71,16 +114,8 @@ std::string_view termination_name(Termination termination) {
 
 void add_frame_terms(const FitHand& hand, const PosedHand& posed, const FitFrame& frame,
                      const FitStage& stage, FrameEquations& equations, const ShapeMotion* shape) {
-  if (stage.hull && frame.hull) {
-    add_hull_term(hand, posed, *frame.hull, *stage.hull, equations, shape);
-  }
-  if (stage.contour) {
-    for (const FitView& view : frame.views) {
-      add_contour_term(hand, posed, view, *stage.contour, equations, shape);
-    }
-  }
-  if (stage.landmarks && frame.landmarks) {
-    add_landmark_term(hand, posed, *frame.landmarks, *stage.landmarks, equations);
+  for (std::size_t part = 0; part < part_count(frame, stage); ++part) {
+    add_part(hand, posed, frame, stage, part, equations, shape);
   }
 }
 
