@@ -14,6 +14,8 @@ namespace {
 
 // More frames, or finer stages than the first, tell little more of which of two bends is better.
 constexpr std::size_t kTrialFrames = 6;
+// And these are enough to tell which bends are worth following.
+constexpr std::size_t kFirstFrames = 3;
 // Bends that differ by less at every joint end alike [rad].
 constexpr double kAlike = 0.35;
 // Steps after which proposals are compared, and how many of them are followed to the end.
@@ -88,20 +90,42 @@ struct Trial {
   double energy = 0.0;
 };
 
+// The poses of some frames, by position in all.
+HandEstimate some_of(const HandEstimate& all, const std::vector<std::size_t>& positions) {
+  HandEstimate some{all.angles, {}};
+  for (const std::size_t f : positions) some.world_from_hand.push_back(all.world_from_hand[f]);
+  return some;
+}
+
+std::vector<const FitFrame*> some_of(std::span<const FitFrame* const> all,
+                                     const std::vector<std::size_t>& positions) {
+  std::vector<const FitFrame*> some;
+  for (const std::size_t f : positions) some.push_back(all[f]);
+  return some;
+}
+
 // The best of what the proposals for an estimate become.
 std::optional<Trial> best_trial(const FitHand& hand, std::span<const FitFrame* const> frames,
                                 const FitStage& stage, int threads, const HandEstimate& estimate) {
   FitStage first_steps = stage;
   first_steps.most_iterations = kFirstSteps;
+  const std::vector<std::size_t> few = spread(frames.size(), kFirstFrames);
+  const std::vector<const FitFrame*> first_frames = some_of(frames, few);
+  const HandEstimate first = some_of(estimate, few);
   std::vector<Trial> trials;
   for (const JointAngles& angles : proposals(estimate.angles)) {
-    Trial& trial = trials.emplace_back(Trial{{angles, estimate.world_from_hand}});
-    trial.energy = minimise(hand, frames, first_steps, threads, trial.estimate).energy;
+    Trial& trial = trials.emplace_back(Trial{{angles, first.world_from_hand}});
+    trial.energy = minimise(hand, first_frames, first_steps, threads, trial.estimate).energy;
   }
   std::stable_sort(trials.begin(), trials.end(),
                    [](const Trial& a, const Trial& b) { return a.energy < b.energy; });
   trials.resize(std::min(trials.size(), kFollowed));
   for (Trial& trial : trials) {
+    HandEstimate followed{trial.estimate.angles, estimate.world_from_hand};
+    for (std::size_t i = 0; i < few.size(); ++i) {
+      followed.world_from_hand[few[i]] = trial.estimate.world_from_hand[i];
+    }
+    trial.estimate = std::move(followed);
     trial.energy = minimise(hand, frames, stage, threads, trial.estimate).energy;
   }
   const auto best =
@@ -116,12 +140,9 @@ std::optional<SolverReport> reseat_digits(const FitHand& hand,
                                           std::span<const FitFrame* const> frames,
                                           const FitSchedule& schedule, int threads,
                                           HandEstimate& estimate) {
-  std::vector<const FitFrame*> few;
-  HandEstimate best{estimate.angles, {}};
-  for (const std::size_t f : spread(frames.size(), kTrialFrames)) {
-    few.push_back(frames[f]);
-    best.world_from_hand.push_back(estimate.world_from_hand[f]);
-  }
+  const std::vector<std::size_t> positions = spread(frames.size(), kTrialFrames);
+  const std::vector<const FitFrame*> few = some_of(frames, positions);
+  HandEstimate best = some_of(estimate, positions);
   const FitStage& coarse = schedule.stages.front();
   double energy = minimise(hand, few, coarse, threads, best).energy;
   bool is_any_better = false;
