@@ -45,7 +45,7 @@ constexpr std::array<Measure, 3> kMeasures = {
 TakeAccuracy accuracy_of(const FitHand& hand, const KnownTake& known) {
   GraspFitOptions options;
   options.threads = 1;
-  const GraspFit fit = fit_grasp(hand, known.prepared.fit_frames(), options, {});
+  const GraspFit fit = fit_grasp(hand, known.prepared, options, {});
   const JointAngles off = (fit.angles - *known.truth.front().angles).cwiseAbs();
   return {surface_error_mm(*hand.model, fit.poses, known),
           angle_error_deg(fit.poses, known, kAngleCount),

@@ -11,13 +11,12 @@ namespace tegata {
 KnownTake make_known_take(const HandModel& hand, const SimulationOptions& room,
                           const std::filesystem::path& folder) {
   simulate_take(hand, room, folder, false, {});
-  KnownTake known;
   Take take = Take::open(folder);
   PrepareOptions prepare;
   prepare.threads = 1;
-  known.prepared = prepare_take(take, prepare, {});
+  KnownTake known{prepare_take(take, prepare, {}), {}, {}};
   const Truth truth = read_truth_json(folder / "truth.json");
-  for (const std::size_t i : known.prepared.usable) {
+  for (const std::size_t i : known.prepared.usable()) {
     known.truth.push_back(truth.frames[i]);
     known.surfaces.push_back(read_ply(folder / "truth" / (truth.frames[i].name + ".ply")));
   }

@@ -41,7 +41,7 @@ struct TakeErrors {
 WeightRecord record_of(const FitHand& hand, const PreparedTake& take, const PaperFit& fit) {
   WeightRecord record;
   for (std::size_t k = 0; k < fit.poses.size(); ++k) {
-    const PreparedFrame& frame = take.frames[take.usable[k]];
+    const PreparedFrame frame = take.frames()[take.usable()[k]].restored();
     record.frames.push_back({frame.name, fit.weights[k],
                              bone_support(hand, hand.posed(fit.poses[k]), frame.frame.views)});
   }
@@ -62,12 +62,11 @@ TakeErrors fit_by_all(const FitHand& hand, const KnownTake& known) {
 
   GraspFitOptions options;
   options.threads = 1;
-  const std::vector<const FitFrame*> frames = known.prepared.fit_frames();
   errors.fits[at(Table1Fit::default_all)] =
-      error_of(model, fit_grasp(hand, frames, options, {}).poses, known);
+      error_of(model, fit_grasp(hand, known.prepared, options, {}).poses, known);
   options.grasp = GraspConstraint::free;
   errors.fits[at(Table1Fit::default_single)] =
-      error_of(model, fit_grasp(hand, frames, options, {}).poses, known);
+      error_of(model, fit_grasp(hand, known.prepared, options, {}).poses, known);
   return errors;
 }
 

@@ -3,7 +3,9 @@
 #include "tegata/fit/grasp_fit.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "tegata/base/error.h"
@@ -65,12 +67,14 @@ FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const std::vector<
 }
 
 // The fits of all frames one after the other.
-std::vector<FrameFit> fit_in_order(const FitHand& hand, std::span<const FitFrame* const> frames,
+std::vector<FrameFit> fit_in_order(const FitHand& hand, const FrameSource& frames,
                                    const GraspFitOptions& options, const Observer& observer) {
   std::vector<FrameFit> fits;
   std::vector<double> energies;
-  for (const FitFrame* frame : frames) {
-    observer.progress("frames", fits.size(), frames.size());
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const std::shared_ptr<const FitFrame> frame = frames.frame(f);
+    if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
+    observer.progress("frames", f, frames.size());
     fits.push_back(fits.empty() ? fit_frame_from_nothing(hand, *frame, typical_angles(),
                                                          options.joint.frame, options.threads)
                                 : fit_next(hand, *frame, fits, energies, options));
@@ -97,13 +101,18 @@ JointAngles standard_deviations(const SolverReport& report) {
 
 // Some of the frames, by position in all.
 struct ChosenFrames {
-  ChosenFrames(std::span<const FitFrame* const> all, std::vector<std::size_t> positions)
-      : chosen(std::move(positions)), agreeing(pointers(all, chosen)) {}
+  ChosenFrames(const FrameSource& all, std::vector<std::size_t> positions, int threads)
+      : chosen(std::move(positions)), kept(made(all, chosen, threads)), agreeing(pointers(kept)) {}
 
-  static std::vector<const FitFrame*> pointers(std::span<const FitFrame* const> all,
-                                               const std::vector<std::size_t>& chosen) {
+  using Kept = std::vector<std::shared_ptr<const FitFrame>>;
+  static Kept made(const FrameSource& all, const std::vector<std::size_t>& chosen, int threads) {
+    Kept some(chosen.size());
+    parallel_for(some.size(), threads, [&](std::size_t i) { some[i] = all.frame(chosen[i]); });
+    return some;
+  }
+  static std::vector<const FitFrame*> pointers(const Kept& kept) {
     std::vector<const FitFrame*> some;
-    for (const std::size_t f : chosen) some.push_back(all[f]);
+    for (const auto& frame : kept) some.push_back(frame.get());
     return some;
   }
   // The frames' poses and what was left out of them, into those of all.
@@ -115,8 +124,22 @@ struct ChosenFrames {
   }
 
   std::vector<std::size_t> chosen;
+  Kept kept;
   AgreeingFrames agreeing;
 };
+
+// Calls visit(some) for a few frames after the other, until all of `positions` were there.
+template <typename Visit>
+void visit_few_by_few(const FrameSource& frames, const std::vector<std::size_t>& positions,
+                      const GraspFitOptions& options, const Visit& visit) {
+  const std::size_t few = options.most_joint_frames;
+  for (std::size_t first = 0; first < positions.size(); first += few) {
+    const std::size_t count = std::min(few, positions.size() - first);
+    const auto begin = positions.begin() + static_cast<std::ptrdiff_t>(first);
+    ChosenFrames some(frames, {begin, begin + static_cast<std::ptrdiff_t>(count)}, options.threads);
+    visit(some);
+  }
+}
 
 std::vector<std::size_t> others_than(const std::vector<std::size_t>& chosen, std::size_t count) {
   std::vector<std::size_t> others;
@@ -127,23 +150,22 @@ std::vector<std::size_t> others_than(const std::vector<std::size_t>& chosen, std
 }
 
 // One set of angles from frames spread over all, and with it the poses of the others.
-void fit_one_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
+void fit_one_grasp(const FitHand& hand, const FrameSource& frames,
                    const std::vector<FrameFit>& fits, const GraspFitOptions& options,
                    const Observer& observer, GraspFit& grasp) {
   JointFitOptions joint_options = options.joint;
   joint_options.threads = options.threads;
-  ChosenFrames joint_frames(frames, spread(frames.size(), options.most_joint_frames));
+  const std::vector<std::size_t> chosen = spread(frames.size(), options.most_joint_frames);
   std::vector<FrameFit> joint_fits;
-  for (const std::size_t f : joint_frames.chosen) joint_fits.push_back(fits[f]);
-  const JointFit joint = fit_jointly(hand, joint_frames.agreeing, median_estimate(joint_fits),
+  for (const std::size_t f : chosen) joint_fits.push_back(fits[f]);
+  std::optional<ChosenFrames> joint_frames(std::in_place, frames, chosen, options.threads);
+  const JointFit joint = fit_jointly(hand, joint_frames->agreeing, median_estimate(joint_fits),
                                      joint_options, observer);
   grasp.iterations = joint.report.iterations;
   grasp.termination = joint.report.termination;
   grasp.standard_deviations = standard_deviations(joint.report);
   grasp.angles = joint.estimate.angles;
   grasp.object = joint.object;
-  joint_frames.keep(joint.estimate.poses(), grasp);
-
   const TriangleMesh& object = joint.object.surface;
   const auto fit_each = [&](const ChosenFrames& some, AngleDeviations deviations,
                             std::vector<HandPose>& poses) {
@@ -153,34 +175,37 @@ void fit_one_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
                      .pose;
     });
   };
-  ChosenFrames other_frames(frames, others_than(joint_frames.chosen, frames.size()));
-  std::vector<HandPose> others;
-  for (const std::size_t f : other_frames.chosen) {
-    others.push_back({fits[f].pose.world_from_hand, grasp.angles});
-  }
-  fit_each(other_frames, kKnownDeviations, others);
-  for (HandPose& pose : others) pose.angles = grasp.angles;
-  other_frames.agreeing.leave_out_contradictions(
-      hand, others, object, {joint_options.with_object, joint_options.hull}, options.threads);
-  other_frames.keep(others, grasp);
-  if (options.grasp != GraspConstraint::soft) return;
-  for (const ChosenFrames* some : {&joint_frames, &other_frames}) {
+  const auto keep = [&](const ChosenFrames& some, std::vector<HandPose> poses) {
+    if (options.grasp == GraspConstraint::soft) fit_each(some, kSoftDeviations, poses);
+    some.keep(poses, grasp);
+  };
+  keep(*joint_frames, joint.estimate.poses());
+  joint_frames.reset();
+  const auto fit_others = [&](ChosenFrames& some) {
     std::vector<HandPose> poses;
-    for (const std::size_t f : some->chosen) poses.push_back(grasp.poses[f]);
-    fit_each(*some, kSoftDeviations, poses);
-    some->keep(poses, grasp);
-  }
+    for (const std::size_t f : some.chosen) {
+      poses.push_back({fits[f].pose.world_from_hand, grasp.angles});
+    }
+    fit_each(some, kKnownDeviations, poses);
+    for (HandPose& pose : poses) pose.angles = grasp.angles;
+    some.agreeing.leave_out_contradictions(
+        hand, poses, object, {joint_options.with_object, joint_options.hull}, options.threads);
+    keep(some, std::move(poses));
+  };
+  visit_few_by_few(frames, others_than(chosen, frames.size()), options, fit_others);
 }
 
 // Every frame on its own: the mean of the angles and their spread stand for the grasp.
-void keep_frames_free(const FitHand& hand, std::span<const FitFrame* const> frames,
+void keep_frames_free(const FitHand& hand, const FrameSource& frames,
                       const std::vector<FrameFit>& fits, const GraspFitOptions& options,
                       GraspFit& grasp) {
-  for (std::size_t f = 0; f < fits.size(); ++f) grasp.poses[f] = fits[f].pose;
-  AgreeingFrames agreeing(frames);
-  agreeing.leave_out_contradictions(
-      hand, grasp.poses, {}, {options.joint.with_object, options.joint.hull}, options.threads);
-  grasp.left_out = agreeing.left_out();
+  visit_few_by_few(frames, others_than({}, frames.size()), options, [&](ChosenFrames& some) {
+    std::vector<HandPose> poses;
+    for (const std::size_t f : some.chosen) poses.push_back(fits[f].pose);
+    some.agreeing.leave_out_contradictions(
+        hand, poses, {}, {options.joint.with_object, options.joint.hull}, options.threads);
+    some.keep(poses, grasp);
+  });
   const double count = static_cast<double>(fits.size());
   grasp.angles.setZero();
   for (const FrameFit& fit : fits) {
@@ -198,7 +223,7 @@ void keep_frames_free(const FitHand& hand, std::span<const FitFrame* const> fram
 }
 
 // From the first frame to the last.
-GraspFit fit_forwards(const FitHand& hand, std::span<const FitFrame* const> frames,
+GraspFit fit_forwards(const FitHand& hand, const FrameSource& frames,
                       const GraspFitOptions& options, const Observer& observer) {
   GraspFit grasp;
   grasp.poses.resize(frames.size());
@@ -216,23 +241,37 @@ GraspFit fit_forwards(const FitHand& hand, std::span<const FitFrame* const> fram
   return grasp;
 }
 
-GraspFit fit_backwards(const FitHand& hand, std::span<const FitFrame* const> frames,
+// The last one first.
+class ReversedFrames final : public FrameSource {
+ public:
+  explicit ReversedFrames(const FrameSource& frames) : frames_(frames) {}
+  std::size_t size() const override { return frames_.size(); }
+  std::shared_ptr<const FitFrame> frame(std::size_t i) const override {
+    return frames_.frame(frames_.size() - 1 - i);
+  }
+
+ private:
+  const FrameSource& frames_;
+};
+
+GraspFit fit_backwards(const FitHand& hand, const FrameSource& frames,
                        const GraspFitOptions& options, const Observer& observer) {
-  const std::vector<const FitFrame*> reversed(frames.rbegin(), frames.rend());
-  GraspFit grasp = fit_forwards(hand, reversed, options, observer);
+  GraspFit grasp = fit_forwards(hand, ReversedFrames(frames), options, observer);
   std::reverse(grasp.poses.begin(), grasp.poses.end());
   std::reverse(grasp.left_out.begin(), grasp.left_out.end());
   return grasp;
 }
 
 // How much of the seen hand lies beside the fitted one, in the view of each frame where that is
-// most [m]: the mean over the frames.
-double uncovered_by(const FitHand& hand, std::span<const FitFrame* const> frames,
-                    const GraspFit& grasp, int threads) {
-  std::vector<double> most(frames.size(), 0.0);
-  parallel_for(frames.size(), threads, [&](std::size_t f) {
-    for (const double distance : uncovered_distances(hand, *frames[f], grasp.poses[f])) {
-      most[f] = std::max(most[f], distance);
+// most [m]: the mean over frames spread over all.
+double uncovered_by(const FitHand& hand, const FrameSource& frames, const GraspFit& grasp,
+                    const GraspFitOptions& options) {
+  const std::vector<std::size_t> asked = spread(frames.size(), options.most_joint_frames);
+  std::vector<double> most(asked.size(), 0.0);
+  parallel_for(asked.size(), options.threads, [&](std::size_t i) {
+    const std::shared_ptr<const FitFrame> frame = frames.frame(asked[i]);
+    for (const double distance : uncovered_distances(hand, *frame, grasp.poses[asked[i]])) {
+      most[i] = std::max(most[i], distance);
     }
   });
   return std::accumulate(most.begin(), most.end(), 0.0) / static_cast<double>(most.size());
@@ -240,20 +279,20 @@ double uncovered_by(const FitHand& hand, std::span<const FitFrame* const> frames
 
 }  // namespace
 
-GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
-                   const GraspFitOptions& options, const Observer& observer) {
-  if (frames.empty()) throw Error("grasp fit: got no frame, expected at least one");
-  for (const FitFrame* frame : frames) {
-    if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
+GraspFit fit_grasp(const FitHand& hand, const FrameSource& frames, const GraspFitOptions& options,
+                   const Observer& observer) {
+  if (frames.size() == 0) throw Error("grasp fit: got no frame, expected at least one");
+  if (options.most_joint_frames == 0) {
+    throw Error("grasp fit: got no frames for the angles, expected at least one");
   }
   GraspFit grasp = fit_forwards(hand, frames, options, observer);
-  if (!options.seeks_again || frames.size() == 1 || frames.front()->landmarks) return grasp;
-  const double uncovered = uncovered_by(hand, frames, grasp, options.threads);
+  if (!options.seeks_again || frames.size() == 1 || frames.frame(0)->landmarks) return grasp;
+  const double uncovered = uncovered_by(hand, frames, grasp, options);
   if (uncovered <= kLikelyUncovered * hand.scale) return grasp;
   GraspFit other = fit_backwards(hand, frames, options, observer);
   const double frame_seconds = grasp.frame_seconds + other.frame_seconds;
   const double all_frames_seconds = grasp.all_frames_seconds + other.all_frames_seconds;
-  if (uncovered_by(hand, frames, other, options.threads) < uncovered) grasp = std::move(other);
+  if (uncovered_by(hand, frames, other, options) < uncovered) grasp = std::move(other);
   grasp.frame_seconds = frame_seconds;
   grasp.all_frames_seconds = all_frames_seconds;
   return grasp;

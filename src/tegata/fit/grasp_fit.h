@@ -3,11 +3,11 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "tegata/base/observer.h"
+#include "tegata/fit/frame_source.h"
 #include "tegata/fit/joint_fit.h"
 #include "tegata/fit/start.h"
 
@@ -22,7 +22,8 @@ enum class GraspConstraint {
 struct GraspFitOptions {
   GraspConstraint grasp = GraspConstraint::fixed;
   JointFitOptions joint;
-  /// The angles come from so many frames spread over all; of the others the poses alone are sought.
+  /// The angles come from so many frames spread over all; of the others the poses alone are sought,
+  /// few by few: more frames are not kept at a time.
   std::size_t most_joint_frames = 40;
   /// Whether all is done once more from the last frame where the first try may have begun wrong.
   bool seeks_again = true;
@@ -50,7 +51,7 @@ struct GraspFit {
 /// no landmarks say where it begins, all is done once more from the last frame backwards, and what
 /// covers more of the hand is kept. A soft grasp lets each frame's angles depart from there last.
 /// `frames` must not be empty and each needs a hull; throws Error otherwise.
-GraspFit fit_grasp(const FitHand& hand, std::span<const FitFrame* const> frames,
-                   const GraspFitOptions& options, const Observer& observer);
+GraspFit fit_grasp(const FitHand& hand, const FrameSource& frames, const GraspFitOptions& options,
+                   const Observer& observer);
 
 }  // namespace tegata

@@ -40,7 +40,7 @@ TEST(GraspFit, FollowsATurningHandFromRoughLandmarks) {
   scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
   GraspFitOptions options;
   options.joint.object_rounds = 0;
-  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers, options, {});
+  const GraspFit fit = fit_grasp(FitHand(hand), GivenFrames(scene.pointers), options, {});
   ASSERT_EQ(fit.poses.size(), 3U);
   for (std::size_t f = 0; f < 3; ++f) {
     EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[f], scene.truth[f]), 0.002) << f;
@@ -56,7 +56,7 @@ TEST(GraspFit, FramesThatDoNotMakeTheGraspHaveTheirPosesByIt) {
   GraspFitOptions options;
   options.most_joint_frames = 2;
   options.joint.object_rounds = 0;
-  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers, options, {});
+  const GraspFit fit = fit_grasp(FitHand(hand), GivenFrames(scene.pointers), options, {});
   ASSERT_EQ(fit.poses.size(), 3U);
   for (std::size_t f = 0; f < 3; ++f) {
     EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[f], scene.truth[f]), 0.003) << f;
@@ -72,8 +72,44 @@ TEST(GraspFit, FreeFramesKeepAnglesOfTheirOwn) {
   scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
   GraspFitOptions options;
   options.grasp = GraspConstraint::free;
-  const GraspFit fit = fit_grasp(FitHand(hand), scene.pointers, options, {});
+  const GraspFit fit = fit_grasp(FitHand(hand), GivenFrames(scene.pointers), options, {});
   EXPECT_GT(fit.poses[1].angles[5] - fit.poses[0].angles[5], 0.1);
+}
+
+// Counts the frames that somebody keeps.
+class CountedFrames final : public FrameSource {
+ public:
+  explicit CountedFrames(const std::vector<FitFrame>& frames) : frames_(frames) {}
+  std::size_t size() const override { return frames_.size(); }
+  std::shared_ptr<const FitFrame> frame(std::size_t i) const override {
+    most_ = std::max(most_, ++count_);
+    return {&frames_[i], [this](const FitFrame*) { --count_; }};
+  }
+  int most() const { return most_; }
+
+ private:
+  const std::vector<FitFrame>& frames_;
+  mutable int count_ = 0, most_ = 0;
+};
+
+TEST(GraspFit, KeepsNoMoreFramesAtATimeThanMakeTheGrasp) {
+  GraspScene scene = turning_grasp(5);
+  scene.frames[0].landmarks = rough_landmarks(scene.truth[0]);
+  GraspFitOptions options;
+  options.most_joint_frames = 2;
+  options.joint.object_rounds = 0;
+  options.threads = 1;
+  for (const GraspConstraint constraint : {GraspConstraint::soft, GraspConstraint::free}) {
+    options.grasp = constraint;
+    const CountedFrames frames(scene.frames);
+    const GraspFit fit = fit_grasp(FitHand(test::coarse_hand()), frames, options, {});
+    EXPECT_EQ(frames.most(), 2);
+    for (std::size_t f = 0; f < 5; ++f) {
+      EXPECT_LT(test::mean_keypoint_distance(test::coarse_hand(), fit.poses[f], scene.truth[f]),
+                0.004)
+          << f;
+    }
+  }
 }
 
 TEST(GraspFit, StartsWithoutLandmarks) {
@@ -84,16 +120,16 @@ TEST(GraspFit, StartsWithoutLandmarks) {
   const FitFrame* const frames[] = {&frame};
   GraspFitOptions options;
   options.joint.object_rounds = 0;
-  const GraspFit fit = fit_grasp(FitHand(hand), frames, options, {});
+  const GraspFit fit = fit_grasp(FitHand(hand), GivenFrames(frames), options, {});
   EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[0], truth), 0.004);
 }
 
 TEST(GraspFit, RefusesNoFramesAndFramesWithoutAHull) {
   const FitHand hand(test::coarse_hand());
-  EXPECT_THROW(fit_grasp(hand, {}, {}, {}), Error);
+  EXPECT_THROW(fit_grasp(hand, GivenFrames({}), {}, {}), Error);
   const FitFrame without_hull;
   const FitFrame* const frames[] = {&without_hull};
-  EXPECT_THROW(fit_grasp(hand, frames, {}, {}), Error);
+  EXPECT_THROW(fit_grasp(hand, GivenFrames(frames), {}, {}), Error);
 }
 
 }  // namespace

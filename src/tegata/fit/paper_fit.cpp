@@ -211,8 +211,8 @@ BoneWeights bone_weights(const PaperEnergy& energy, const HandPose& pose) {
 
 }  // namespace
 
-PaperFrame::PaperFrame(const FitFrame& known, const TriangleMesh& hull)
-    : frame(&known), surface(proven_part(hull)) {}
+PaperFrame::PaperFrame(std::shared_ptr<const FitFrame> known, const TriangleMesh& hull)
+    : frame(std::move(known)), surface(proven_part(hull)) {}
 
 EnergySlope PaperEnergy::by_pose(const HandPose& pose) const {
   const PosedHand posed = hand.posed(pose);

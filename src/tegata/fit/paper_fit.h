@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -23,9 +24,9 @@ namespace tegata {
 /// pixel was unknown is cut out of it; `frame` gives landmarks and views for the start and must
 /// outlive it. Throws Error where nothing of the hull is proven.
 struct PaperFrame {
-  PaperFrame(const FitFrame& known, const TriangleMesh& hull);
+  PaperFrame(std::shared_ptr<const FitFrame> known, const TriangleMesh& hull);
 
-  const FitFrame* frame;
+  std::shared_ptr<const FitFrame> frame;
   NearestSurface surface;
 };
 

@@ -29,17 +29,17 @@ struct PaperScene {
     for (std::size_t k = 0; k < count; ++k) {
       truth.push_back(test::grasping_pose(0.15 * static_cast<double>(k)));
     }
-    known.resize(count);
-    known.front().landmarks = landmarks_of(hand, displaced(truth.front(), 0.006, 0.08, 0.0));
     for (std::size_t k = 0; k < count; ++k) {
-      frames.emplace_back(known[k], PosedHand(hand, truth[k]).surface());
+      FitFrame known;
+      if (k == 0) known.landmarks = landmarks_of(hand, displaced(truth[0], 0.006, 0.08, 0.0));
+      frames.emplace_back(std::make_shared<const FitFrame>(known),
+                          PosedHand(hand, truth[k]).surface());
     }
   }
   // Of few triangles, which keeps the tests short under the sanitizers.
   const HandModel hand = built_in_hand(HandShape{}, Side::right, {.triangle_count = 600});
   FitHand fit_hand{hand};
   std::vector<HandPose> truth;
-  std::vector<FitFrame> known;
   std::vector<PaperFrame> frames;
 };
 

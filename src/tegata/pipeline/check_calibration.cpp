@@ -51,11 +51,11 @@ void warn_of(const std::vector<CalibrationProblem>& problems, const Observer& ob
 RigOutlines outlines_of(const PreparedTake& prepared, const CameraRig& rig) {
   constexpr std::size_t kMostFrames = 24;
   RigOutlines outlines;
-  for (const std::size_t i : spread(prepared.usable, kMostFrames)) {
+  for (const std::size_t i : spread(prepared.usable(), kMostFrames)) {
     outlines.emplace_back(rig.size());
-    for (const FitView& view : prepared.frames[i].frame.views) {
-      outlines.back()[camera_index(rig, view.camera.name)] =
-          outline_rays(view.silhouette, view.camera);
+    for (const StoredView& view : prepared.frames()[i].views) {
+      outlines.back()[camera_index(rig, view.camera().name)] =
+          outline_rays(view.silhouette(), view.camera());
     }
   }
   return outlines;

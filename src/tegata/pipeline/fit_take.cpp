@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "tegata/base/error.h"
+#include "tegata/base/parallel.h"
 #include "tegata/hand/scaled_hand.h"
 #include "tegata/pipeline/check_calibration.h"
 #include "tegata/pipeline/describe_frame.h"
@@ -15,9 +16,9 @@
 namespace tegata {
 namespace {
 
-double sum_of(const std::vector<PreparedFrame>& frames, double PreparedFrame::*seconds) {
+double sum_of(const std::vector<StoredFrame>& frames, double PreparedFrame::*seconds) {
   return std::transform_reduce(frames.begin(), frames.end(), 0.0, std::plus<>(),
-                               [seconds](const PreparedFrame& frame) { return frame.*seconds; });
+                               [seconds](const StoredFrame& frame) { return frame.rest.*seconds; });
 }
 
 // A frame without the views that contradicted its others.
@@ -36,14 +37,14 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
                 const Observer& observer) {
   check_hand(hand_model);
   const PreparedTake prepared = prepare_checked_take(take, options, observer);
-  const std::vector<const FitFrame*> frames = prepared.fit_frames();
   GraspFitOptions fit_options = options.fit;
   fit_options.threads = options.threads;
   fit_options.joint.hull = options.hull;
   Result result;
   result.model_scale = options.scale.value_or(1.0);
   if (!options.scale) {
-    const SizedHand sized = size_hand(hand_model, {&prepared, 1}, fit_options, observer);
+    const FrameSource* const takes[] = {&prepared};
+    const SizedHand sized = size_hand(hand_model, takes, fit_options, observer);
     result.model_scale = sized.scale.scale;
     result.model_scale_standard_deviation = sized.scale.standard_deviation;
     result.seconds["scale"] = sized.seconds;
@@ -52,7 +53,7 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   const FitHand hand(fitted_model);
   const GraspFit grasp = options.method == FitMethod::paper
                              ? fit_grasp_by_paper(hand, prepared, fit_options, observer)
-                             : fit_grasp(hand, frames, fit_options, observer);
+                             : fit_grasp(hand, prepared, fit_options, observer);
 
   result.take = take.info().name;
   result.side = hand_model.skeleton.side;
@@ -63,18 +64,16 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   result.object_confidence = grasp.object.confidence;
   result.iterations = grasp.iterations;
   result.termination = termination_name(grasp.termination);
-  std::size_t next = 0;
-  for (const PreparedFrame& from : prepared.frames) {
-    if (from.refusal.empty()) {
-      result.frames.push_back(
-          describe_frame(hand, grasp.poses[next], without(from, grasp.left_out[next])));
-      next += 1;
-    } else {
-      result.frames.push_back(describe_missing(from, from.refusal));
-    }
+  for (const StoredFrame& from : prepared.frames()) {
+    result.frames.push_back(describe_missing(from.rest, from.rest.refusal));
   }
-  result.seconds["segment"] = sum_of(prepared.frames, &PreparedFrame::segment_seconds);
-  result.seconds["hull"] = sum_of(prepared.frames, &PreparedFrame::hull_seconds);
+  parallel_for(prepared.size(), options.threads, [&](std::size_t k) {
+    const std::size_t f = prepared.usable()[k];
+    result.frames[f] = describe_frame(hand, grasp.poses[k],
+                                      without(prepared.frames()[f].restored(), grasp.left_out[k]));
+  });
+  result.seconds["segment"] = sum_of(prepared.frames(), &PreparedFrame::segment_seconds);
+  result.seconds["hull"] = sum_of(prepared.frames(), &PreparedFrame::hull_seconds);
   result.seconds["frames"] = grasp.frame_seconds;
   result.seconds["all_frames"] = grasp.all_frames_seconds;
   return result;

@@ -10,8 +10,8 @@ namespace tegata {
 
 std::vector<PaperFrame> paper_frames(const PreparedTake& take) {
   std::vector<PaperFrame> frames;
-  for (const std::size_t i : take.usable) {
-    frames.emplace_back(take.frames[i].frame, take.frames[i].hull);
+  for (std::size_t k = 0; k < take.size(); ++k) {
+    frames.emplace_back(take.frame(k), take.frames()[take.usable()[k]].rest.hull);
   }
   return frames;
 }

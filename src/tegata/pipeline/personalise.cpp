@@ -17,27 +17,27 @@ PersonalHand personalise(std::span<Take> takes, Side side, const PersonaliseOpti
   std::vector<PreparedTake> prepared;
   for (Take& take : takes) {
     prepared.push_back(prepare_take(take, options, observer));
-    person.frame_count += prepared.back().usable.size();
+    person.frame_count += prepared.back().size();
   }
+  std::vector<const FrameSource*> sources;
+  for (const PreparedTake& take : prepared) sources.push_back(&take);
   const ShapedHand shapes(side);
   GraspFitOptions fit_options = options.fit;
   fit_options.threads = options.threads;
-  SizedHand sized = size_hand(shapes.model(HandShape()), prepared, fit_options, observer);
+  const SizedHand sized = size_hand(shapes.model(HandShape()), sources, fit_options, observer);
   person.scale = sized.scale;
   // What hides the hand is known from here on, as far as a hand of the right size shows it.
   const HandModel hand = scaled(shapes.model(HandShape()), sized.scale.scale);
-  sized.grasps.clear();
+  KeptGrasps kept;
   for (const PreparedTake& take : prepared) {
-    const std::vector<const FitFrame*> frames = take.fit_frames();
-    add_grasps(fit_grasp(FitHand(hand), frames, fit_options, observer), frames, fit_options.grasp,
-               sized.grasps);
+    kept.add(fit_grasp(FitHand(hand), take, fit_options, observer), take, fit_options.grasp);
   }
   observer.progress("shape", 0, 1);
   ShapeFitOptions shape_options;
   shape_options.threads = options.threads;
   ShapeParameters start = shape_prior().mean;
   start[0] *= sized.scale.scale;
-  person.fit = fit_shape(shapes, start, sized.grasps, shape_options);
+  person.fit = fit_shape(shapes, start, kept.grasps, shape_options);
   observer.progress("shape", 1, 1);
   person.seconds = stopwatch.seconds();
   return person;

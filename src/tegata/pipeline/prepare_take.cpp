@@ -2,32 +2,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/pipeline/prepare_take.h"
 
+#include <utility>
+
 #include "tegata/base/error.h"
 
 namespace tegata {
 namespace {
 
-std::vector<PreparedFrame> prepare_frames(Take& take, const std::vector<std::size_t>& indices,
-                                          const PrepareOptions& options, const Observer& observer) {
+std::vector<StoredFrame> prepare_frames(Take& take, const std::vector<std::size_t>& indices,
+                                        const PrepareOptions& options, const Observer& observer) {
   const Segmenter segmenter(take, options.segmentation, observer);
-  std::vector<PreparedFrame> prepared(indices.size());
+  std::vector<StoredFrame> stored;
+  std::vector<PreparedFrame> ahead(kFramesAtOnce);
   for_each_frame(take, indices, options.threads,
                  {.work =
                       [&](std::size_t i, const TakeFrame& pictures) {
-                        prepared[i] = prepare_frame(segmenter, pictures, options.hull);
+                        ahead[i % kFramesAtOnce] = prepare_frame(segmenter, pictures, options.hull);
                       },
                   .finish =
                       [&](std::size_t i) {
-                        const PreparedFrame& frame = prepared[i];
+                        PreparedFrame frame = std::exchange(ahead[i % kFramesAtOnce], {});
                         for (const std::string& note : frame.notes) observer.warn(note);
                         if (!frame.refusal.empty()) {
                           observer.warn(text("frame ", frame.name, ": ", frame.refusal));
                         } else if (options.on_hull) {
                           options.on_hull(frame.name, frame.hull);
                         }
+                        stored.emplace_back(std::move(frame));
                       }},
                  observer);
-  return prepared;
+  return stored;
 }
 
 }  // namespace
@@ -43,26 +47,43 @@ std::optional<StartLandmarks> start_landmarks(const Take& take, bool from_first_
   return StartLandmarks{landmarks.wrist, landmarks.index_mcp, landmarks.little_mcp};
 }
 
-std::vector<const FitFrame*> PreparedTake::fit_frames() const {
-  std::vector<const FitFrame*> pointers;
-  for (const std::size_t i : usable) pointers.push_back(&frames[i].frame);
-  return pointers;
+StoredFrame::StoredFrame(PreparedFrame prepared) : rest(std::move(prepared)) {
+  for (const FitView& view : rest.frame.views) views.emplace_back(view);
+  rest.frame.views.clear();
+  rest.frame.views.shrink_to_fit();
+}
+
+PreparedFrame StoredFrame::restored() const {
+  PreparedFrame whole = rest;
+  for (const StoredView& view : views) whole.frame.views.push_back(view.restored());
+  return whole;
+}
+
+PreparedTake::PreparedTake(const Take& take, std::vector<StoredFrame> frames)
+    : frames_(std::move(frames)) {
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    if (frames_[i].rest.refusal.empty()) usable_.push_back(i);
+  }
+  if (usable_.empty()) {
+    throw Error(take.folder().string(), ": none of ", frames_.size(),
+                " frames can be fitted; the first, ", frames_.front().rest.name, ": ",
+                frames_.front().rest.refusal);
+  }
+}
+
+std::shared_ptr<const FitFrame> PreparedTake::frame(std::size_t i) const {
+  return std::make_shared<const FitFrame>(frames_[usable_[i]].restored().frame);
+}
+
+void PreparedTake::set_landmarks(std::size_t i, const std::optional<StartLandmarks>& landmarks) {
+  frames_[usable_[i]].rest.frame.landmarks = landmarks;
 }
 
 PreparedTake prepare_take(Take& take, const PrepareOptions& options, const Observer& observer) {
   const std::vector<std::size_t> indices = selected_frames(options.frames, take);
-  PreparedTake prepared;
-  prepared.frames = prepare_frames(take, indices, options, observer);
-  for (std::size_t i = 0; i < prepared.frames.size(); ++i) {
-    if (prepared.frames[i].refusal.empty()) prepared.usable.push_back(i);
-  }
-  if (prepared.usable.empty()) {
-    throw Error(take.folder().string(), ": none of ", prepared.frames.size(),
-                " frames can be fitted; the first, ", prepared.frames.front().name, ": ",
-                prepared.frames.front().refusal);
-  }
-  const std::size_t first = prepared.usable.front();
-  prepared.frames[first].frame.landmarks = start_landmarks(take, indices[first] == 0, observer);
+  PreparedTake prepared(take, prepare_frames(take, indices, options, observer));
+  const bool from_first_frame = indices[prepared.usable().front()] == 0;
+  prepared.set_landmarks(0, start_landmarks(take, from_first_frame, observer));
   return prepared;
 }
 

@@ -4,11 +4,14 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "tegata/base/observer.h"
+#include "tegata/fit/frame_source.h"
+#include "tegata/fit/stored_view.h"
 #include "tegata/hull/visual_hull.h"
 #include "tegata/mesh/triangle_mesh.h"
 #include "tegata/pipeline/frame_selection.h"
@@ -27,12 +30,33 @@ struct PrepareOptions {
   std::function<void(const std::string& frame, const TriangleMesh& hull)> on_hull;
 };
 
-struct PreparedTake {
-  std::vector<PreparedFrame> frames;
-  std::vector<std::size_t> usable;  ///< which frames are without a refusal; never empty
+/// A prepared frame in little memory.
+struct StoredFrame {
+  explicit StoredFrame(PreparedFrame prepared);
+  /// The whole frame again.
+  PreparedFrame restored() const;
 
-  /// The usable frames; they point into `frames`.
-  std::vector<const FitFrame*> fit_frames() const;
+  PreparedFrame rest;  ///< all but the views
+  std::vector<StoredView> views;
+};
+
+/// The frames of a take; the usable ones as a source for the fit.
+class PreparedTake final : public FrameSource {
+ public:
+  /// Throws Error naming the folder where no frame is usable.
+  PreparedTake(const Take& take, std::vector<StoredFrame> frames);
+
+  const std::vector<StoredFrame>& frames() const { return frames_; }
+  /// Which frames are without a refusal; never empty.
+  const std::vector<std::size_t>& usable() const { return usable_; }
+
+  std::size_t size() const override { return usable_.size(); }
+  std::shared_ptr<const FitFrame> frame(std::size_t i) const override;
+  void set_landmarks(std::size_t i, const std::optional<StartLandmarks>& landmarks);
+
+ private:
+  std::vector<StoredFrame> frames_;
+  std::vector<std::size_t> usable_;
 };
 
 /// Where the take says that the hand is in its first frame; nothing, with a warning where it says

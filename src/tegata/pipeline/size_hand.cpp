@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "tegata/base/stopwatch.h"
+#include "tegata/fit/frame_fit.h"
 #include "tegata/hand/scaled_hand.h"
 
 namespace tegata {
@@ -22,27 +23,40 @@ constexpr int kMostRounds = 3;
 // A round that changes the scale by less was the last.
 constexpr double kScaleTolerance = 0.015;
 
-/// Fits frames of some takes, then the scale with them.
-ScaleFit fit_round(const HandModel& hand, double scale,
-                   std::span<const std::vector<const FitFrame*>> takes,
-                   const GraspFitOptions& options, const Observer& observer,
-                   std::vector<GraspFrames>& grasps) {
+// A take's grasps are told by so many of its frames.
+constexpr std::size_t kMostFrames = 40;
+
+// The first frames of a take.
+class FirstFrames final : public FrameSource {
+ public:
+  FirstFrames(const FrameSource& frames, std::size_t most)
+      : frames_(frames), count_(std::min(most, frames.size())) {}
+  std::size_t size() const override { return count_; }
+  std::shared_ptr<const FitFrame> frame(std::size_t i) const override { return frames_.frame(i); }
+
+ private:
+  const FrameSource& frames_;
+  std::size_t count_;
+};
+
+// Fits frames of some takes, then the scale with them.
+ScaleFit fit_round(const HandModel& hand, double scale, std::span<const FrameSource* const> takes,
+                   const GraspFitOptions& options, const Observer& observer) {
   const HandModel current = scaled(hand, scale);
   const FitHand fit_hand(current);
-  grasps.clear();
-  for (const std::vector<const FitFrame*>& frames : takes) {
-    add_grasps(fit_grasp(fit_hand, frames, options, observer), frames, options.grasp, grasps);
+  KeptGrasps kept;
+  for (const FrameSource* frames : takes) {
+    kept.add(fit_grasp(fit_hand, *frames, options, observer), *frames, options.grasp);
   }
   ShapeFitOptions shape_options;
   shape_options.threads = options.threads;
-  return fit_scale(hand, scale, grasps, shape_options);
+  return fit_scale(hand, scale, kept.grasps, shape_options);
 }
 
-double start_scale(const HandModel& hand, const std::vector<const FitFrame*>& frames,
-                   const GraspFitOptions& options, const Observer& observer) {
-  const std::vector<const FitFrame*> first(
-      frames.begin(),
-      frames.begin() + static_cast<std::ptrdiff_t>(std::min(kStartFrames, frames.size())));
+double start_scale(const HandModel& hand, const FrameSource& frames, const GraspFitOptions& options,
+                   const Observer& observer) {
+  const FirstFrames first(frames, kStartFrames);
+  const FrameSource* const one[] = {&first};
   std::vector<ScaleFit> fits;
   for (const double start : kStartScales) {
     observer.progress("sizes", fits.size(), std::size(kStartScales));
@@ -51,8 +65,7 @@ double start_scale(const HandModel& hand, const std::vector<const FitFrame*>& fr
         })) {
       continue;
     }
-    std::vector<GraspFrames> grasps;
-    fits.push_back(fit_round(hand, start, {&first, 1}, options, Observer{}, grasps));
+    fits.push_back(fit_round(hand, start, one, options, Observer{}));
   }
   observer.progress("sizes", std::size(kStartScales), std::size(kStartScales));
   return std::min_element(fits.begin(), fits.end(),
@@ -62,19 +75,20 @@ double start_scale(const HandModel& hand, const std::vector<const FitFrame*>& fr
 
 }  // namespace
 
-void add_grasps(const GraspFit& fit, const std::vector<const FitFrame*>& frames,
-                GraspConstraint constraint, std::vector<GraspFrames>& grasps) {
-  for (std::size_t f = 0; f < frames.size(); ++f) {
+void KeptGrasps::add(const GraspFit& fit, const FrameSource& source, GraspConstraint constraint) {
+  const std::vector<std::size_t> chosen = spread(source.size(), kMostFrames);
+  for (const std::size_t f : chosen) {
     if (f == 0 || constraint == GraspConstraint::free) {
       grasps.emplace_back().estimate.angles = fit.poses[f].angles;
       grasps.back().object = fit.object.surface;
     }
-    grasps.back().frames.push_back(frames[f]);
+    frames.push_back(source.frame(f));
+    grasps.back().frames.push_back(frames.back().get());
     grasps.back().estimate.world_from_hand.push_back(fit.poses[f].world_from_hand);
   }
 }
 
-SizedHand size_hand(const HandModel& hand, std::span<const PreparedTake> takes,
+SizedHand size_hand(const HandModel& hand, std::span<const FrameSource* const> takes,
                     const GraspFitOptions& fit_options, const Observer& observer) {
   const Stopwatch stopwatch;
   GraspFitOptions options = fit_options;
@@ -83,12 +97,10 @@ SizedHand size_hand(const HandModel& hand, std::span<const PreparedTake> takes,
   options.seeks_again = false;
   // What a grasp drifts by says nothing of the hand's size.
   if (options.grasp == GraspConstraint::soft) options.grasp = GraspConstraint::fixed;
-  std::vector<std::vector<const FitFrame*>> frames;
-  for (const PreparedTake& take : takes) frames.push_back(take.fit_frames());
-  double scale = start_scale(hand, frames.front(), options, observer);
+  double scale = start_scale(hand, *takes.front(), options, observer);
   SizedHand sized;
   for (int round = 0; round < kMostRounds; ++round) {
-    sized.scale = fit_round(hand, scale, frames, options, observer, sized.grasps);
+    sized.scale = fit_round(hand, scale, takes, options, observer);
     const double change = sized.scale.scale / scale - 1.0;
     scale = sized.scale.scale;
     if (std::abs(change) < kScaleTolerance) break;
