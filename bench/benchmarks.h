@@ -19,6 +19,8 @@ bool benchmark_closest_point();
 bool benchmark_hand();
 /// Silhouettes to 4,000 triangles, step by step.
 bool benchmark_chain();
+/// B7: silhouettes of a moving hand to its joint angles.
+bool benchmark_track();
 /// Three streams of pictures to undistorted silhouettes.
 bool benchmark_segmentation();
 /// How much memory the finest hulls take at their peak.

@@ -25,6 +25,7 @@ constexpr std::pair<std::string_view, bool (*)()> kBenchmarks[] = {
     {"closest_point", benchmark_closest_point},
     {"hand", benchmark_hand},
     {"chain", benchmark_chain},
+    {"track", benchmark_track},
     {"segmentation", benchmark_segmentation}};
 
 bool run(std::string_view name) {
