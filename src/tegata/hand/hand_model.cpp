@@ -206,8 +206,10 @@ PointJacobian PosedHand::keypoint_jacobian(int keypoint) const {
   jacobian.middleCols<3>(3).setIdentity();
   for (int angle = 0; angle < kAngleCount; ++angle) {
     if (!angle_moves_bone(angle, bone_of_keypoint(keypoint))) continue;
-    const JointAxis& axis = rows_->axes()[index(angle)];
-    jacobian.col(kPoseParameterCount + angle) = axis.direction.cross(point - axis.center);
+    const SkinMotion::Axis& axis = rows_->motion().digit(index(angle / 4)).axes[index(angle % 4)];
+    const Eigen::Map<const Eigen::Vector3d> center(axis.center.data());
+    const Eigen::Map<const Eigen::Vector3d> direction(axis.direction.data());
+    jacobian.col(kPoseParameterCount + angle) = direction.cross(point - center);
   }
   return jacobian;
 }

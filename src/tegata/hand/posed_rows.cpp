@@ -14,9 +14,9 @@
 namespace tegata {
 namespace {
 
-using Bone = PosedRows::Bone;
-using Axis = PosedRows::Axis;
-using Motion = PosedRows::Motion;
+using Bone = SkinMotion::Bone;
+using Axis = SkinMotion::Axis;
+using Motion = SkinMotion::Digit;
 
 struct Vec {
   double x, y, z;
@@ -163,7 +163,7 @@ enum class Pass { pose, normalise, both };
 
 struct Task {
   const SkinRows* rows;
-  const std::array<Motion, kDigitCount>* motions;
+  const SkinMotion* motion;
   PosedPoints* points;
   AngleColumns* columns;
 };
@@ -172,7 +172,7 @@ TEGATA_KERNEL void run(const Task& task, Pass pass) {
   const SkinRows::Block* rest = task.rows->blocks().data();
   for (std::size_t part = 0; part < task.rows->parts().size(); ++part) {
     const bool is_palm = part == SkinRows::kPalmPart;
-    const Motion motion = (*task.motions)[is_palm ? 0 : part];
+    const Motion motion = task.motion->digit(is_palm ? 0 : part);
     for (std::size_t b = task.rows->parts()[part].first; b < task.rows->parts()[part].last; ++b) {
       if (pass != Pass::normalise) {
         if (is_palm) {
@@ -207,45 +207,20 @@ TEGATA_AVX512 void turn_normals_avx512(const Motion& motion, const SkinRows::Blo
   turn_normals(motion, rest, points, columns);
 }
 
-std::array<double, 3> plain(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Bone plain_bone(const Rigid3d& transform) {
-  const Eigen::Matrix3d turn = transform.rotation.toRotationMatrix();
-  return {{plain(turn.row(0)), plain(turn.row(1)), plain(turn.row(2))},
-          plain(transform.translation)};
-}
-
 }  // namespace
 
 PosedRows::PosedRows(std::shared_ptr<const SkinRows> rows, const HandModel& model)
     : rows_(std::move(rows)),
-      skeleton_(model.skeleton),
-      zero_from_rest_(bone_transforms(model.skeleton, model.rest_angles)),
+      motion_(model),
       points_(std::make_unique_for_overwrite<PosedPoints[]>(rows_->blocks().size())),
       columns_(
-          std::make_unique_for_overwrite<AngleColumns[]>(rows_->parts()[kDigitCount - 1].last)) {
-  for (Rigid3d& transform : zero_from_rest_) transform = transform.inverse();
-}
+          std::make_unique_for_overwrite<AngleColumns[]>(rows_->parts()[kDigitCount - 1].last)) {}
 
 void PosedRows::move_to(const HandPose& pose, InstructionSet set) {
-  const Rigid3d turn{pose.world_from_hand.rotation, Eigen::Vector3d::Zero()};
-  const auto from_zero = bone_transforms(skeleton_, pose.angles);
-  axes_ = joint_axes(skeleton_, pose.angles);
-  for (JointAxis& axis : axes_) {
-    axis.center = turn.rotation * axis.center;
-    axis.direction = turn.rotation * axis.direction;
-  }
-  for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t bone = i == 0 ? 0 : 3 * digit + i;
-      motions_[digit].bones[i] = plain_bone(turn * from_zero[bone] * zero_from_rest_[bone]);
-      const JointAxis& axis = axes_[4 * digit + i];
-      motions_[digit].axes[i] = {plain(axis.center), plain(axis.direction)};
-    }
-  }
+  motion_.move_to(pose);
   constexpr std::array<Run*, 3> kRuns = {run_baseline, run_avx2, run_avx512};
   Run* const run_best = kRuns[static_cast<std::size_t>(set)];
-  const Task task{rows_.get(), &motions_, points_.get(), columns_.get()};
+  const Task task{rows_.get(), &motion_, points_.get(), columns_.get()};
   if (rows_->shared().empty()) {
     run_best(task, Pass::both);
   } else {
@@ -259,7 +234,7 @@ AngleColumns PosedRows::normal_columns(std::size_t block, InstructionSet set) co
   constexpr std::array<TurnNormals*, 3> kTurns = {turn_normals_baseline, turn_normals_avx2,
                                                   turn_normals_avx512};
   AngleColumns columns;
-  kTurns[static_cast<std::size_t>(set)](motions_[rows_->part_of_row(block * kRowLanes)],
+  kTurns[static_cast<std::size_t>(set)](motion_.digit(rows_->part_of_row(block * kRowLanes)),
                                         rows_->blocks()[block], points_[block], columns);
   return columns;
 }

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "tegata/base/instruction_set.h"
+#include "tegata/hand/skin_motion.h"
 #include "tegata/hand/skin_rows.h"
 
 namespace tegata {
@@ -36,8 +37,8 @@ class PosedRows {
   void move_to(const HandPose& pose, InstructionSet set = best_instruction_set());
 
   const SkinRows& rows() const { return *rows_; }
-  /// Of all angles, with the axes and the origin of the points.
-  const std::array<JointAxis, kAngleCount>& axes() const { return axes_; }
+  /// What has moved the rows.
+  const SkinMotion& motion() const { return motion_; }
   /// Where a vertex that several digits move is, all its rows say alike.
   const PosedPoints& points(std::size_t block) const { return points_[block]; }
   /// Of vertices by the angles of the block's digit; only for blocks of digits, which come first. A
@@ -46,28 +47,11 @@ class PosedRows {
   /// The same of normals. Few ask for these: they are worked out when asked for.
   AngleColumns normal_columns(std::size_t block, InstructionSet set = best_instruction_set()) const;
 
-  /// A bone's matrix, from the rest surface to the axes above.
-  struct Bone {
-    std::array<std::array<double, 3>, 3> turn;  ///< rows
-    std::array<double, 3> shift;
-  };
-  struct Axis {
-    std::array<double, 3> center, direction;
-  };
-  /// What moves the rows of a part: the palm and the digit's bones, and its angles.
-  struct Motion {
-    std::array<Bone, 4> bones;
-    std::array<Axis, 4> axes;
-  };
-
  private:
   void sum_shared();
 
   std::shared_ptr<const SkinRows> rows_;
-  Skeleton skeleton_;
-  std::array<Rigid3d, kBoneCount> zero_from_rest_;  ///< of each bone
-  std::array<JointAxis, kAngleCount> axes_;
-  std::array<Motion, kDigitCount> motions_;
+  SkinMotion motion_;
   std::unique_ptr<PosedPoints[]> points_;
   std::unique_ptr<AngleColumns[]> columns_;
 };

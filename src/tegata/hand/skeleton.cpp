@@ -124,7 +124,11 @@ std::array<Rigid3d, kBoneCount> bone_transforms(const Skeleton& skeleton,
 }
 
 std::array<JointAxis, kAngleCount> joint_axes(const Skeleton& skeleton, const JointAngles& angles) {
-  const std::array<Rigid3d, kBoneCount> transforms = bone_transforms(skeleton, angles);
+  return joint_axes(skeleton, bone_transforms(skeleton, angles));
+}
+
+std::array<JointAxis, kAngleCount> joint_axes(const Skeleton& skeleton,
+                                              const std::array<Rigid3d, kBoneCount>& transforms) {
   std::array<JointAxis, kAngleCount> axes;
   for (int angle = 0; angle < kAngleCount; ++angle) {
     const int bone = bone_of_angle(angle);

@@ -96,5 +96,8 @@ struct JointAxis {
 };
 /// The axes of all angles where the angles take them.
 std::array<JointAxis, kAngleCount> joint_axes(const Skeleton& skeleton, const JointAngles& angles);
+/// The same, where bone_transforms() of the angles are there already.
+std::array<JointAxis, kAngleCount> joint_axes(const Skeleton& skeleton,
+                                              const std::array<Rigid3d, kBoneCount>& transforms);
 
 }  // namespace tegata

@@ -109,8 +109,10 @@ SkinRows::SkinRows(const HandModel& model) {
 }
 
 std::size_t SkinRows::part_of_row(std::size_t row) const {
+  // Asked for rows in no order: counting is faster than guessing where to stop.
+  const std::size_t block = row / kRowLanes;
   std::size_t part = 0;
-  while (row / kRowLanes >= parts_[part].last) ++part;
+  for (std::size_t p = 0; p < kPalmPart; ++p) part += block >= parts_[p].last ? 1 : 0;
   return part;
 }
 
