@@ -65,7 +65,11 @@ void FrameEquations::add(double residual, const HandRow& row, double weight, dou
     }
   }
   cost += residual_cost;
-  if (by_shape.size() == 0) return;
+  if (by_shape.size() > 0) add_shape(residual, row, weight, by_shape);
+}
+
+void FrameEquations::add_shape(double residual, const HandRow& row, double weight,
+                               const ShapeRow& by_shape) {
   shape_hessian.noalias() += (weight * by_shape.transpose()) * by_shape;
   shape_cross.noalias() += (weight * by_shape.transpose()) * row.values;
   shape_gradient.noalias() += (weight * residual) * by_shape.transpose();

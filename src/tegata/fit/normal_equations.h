@@ -54,6 +54,8 @@ struct FrameEquations {
   /// one entry a shape parameter, or none where it does not depend on them.
   void add(double residual, const HandRow& row, double weight, double residual_cost,
            const ShapeRow& by_shape = {});
+  /// Of that only what concerns the shape.
+  void add_shape(double residual, const HandRow& row, double weight, const ShapeRow& by_shape);
 };
 
 /// A step of all frames' poses and of the angles and the shape that they share.
