@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The tegata authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// The benchmarks, one a file. Each prints a section of Markdown and returns whether its checks
+// The benchmarks. Each prints a section of Markdown and returns whether its checks
 // hold.
 #pragma once
 
@@ -15,6 +15,10 @@ bool benchmark_isosurface();
 bool benchmark_simplify();
 /// B4: nearest points.
 bool benchmark_closest_point();
+/// B5: a hand to planes, in one frame.
+bool benchmark_fit();
+/// B6: the same in many frames at once, with one set of angles.
+bool benchmark_joint();
 /// A hand posed with its derivatives.
 bool benchmark_hand();
 /// Silhouettes to 4,000 triangles, step by step.

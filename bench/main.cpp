@@ -19,14 +19,11 @@ using namespace tegata::bench;
 
 constexpr std::pair<std::string_view, bool (*)()> kBenchmarks[] = {
     {"memory", benchmark_memory},  // first: it starts processes, before anything makes threads
-    {"hull", benchmark_hull},
-    {"isosurface", benchmark_isosurface},
-    {"simplify", benchmark_simplify},
-    {"closest_point", benchmark_closest_point},
-    {"hand", benchmark_hand},
-    {"chain", benchmark_chain},
-    {"track", benchmark_track},
-    {"segmentation", benchmark_segmentation}};
+    {"hull", benchmark_hull},         {"isosurface", benchmark_isosurface},
+    {"simplify", benchmark_simplify}, {"closest_point", benchmark_closest_point},
+    {"fit", benchmark_fit},           {"joint", benchmark_joint},
+    {"hand", benchmark_hand},         {"chain", benchmark_chain},
+    {"track", benchmark_track},       {"segmentation", benchmark_segmentation}};
 
 bool run(std::string_view name) {
   for (const auto& [known, benchmark] : kBenchmarks) {
@@ -46,8 +43,9 @@ int main(int argc, char** argv) {
     hold_vtk_to_one_thread();
     hold_open3d_to_one_thread();
     bool all_hold = true;
-    fmt::print("Peers: VTK {}, OpenVDB {}, Open3D {}, CGAL {}, nanoflann {}.\n\n", vtk_version(),
-               openvdb_version(), open3d_version(), cgal_version(), nanoflann_version());
+    fmt::print("Peers: VTK {}, OpenVDB {}, Open3D {}, CGAL {}, nanoflann {}, Ceres {}.\n\n",
+               vtk_version(), openvdb_version(), open3d_version(), cgal_version(),
+               nanoflann_version(), ceres_version());
     for (int i = 1; i < argc; ++i) all_hold = run(argv[i]) && all_hold;
     if (argc == 1) {
       for (const auto& [name, benchmark] : kBenchmarks) all_hold = benchmark() && all_hold;

@@ -5,8 +5,8 @@
 # Installs what is missing, builds the benchmarks, runs them and writes what they print to the end of
 # docs/performance.md. With names it runs those alone and prints to the terminal. Wants an idle
 # machine and a few minutes.
-# usage: scripts/bench.sh [NAME]...     NAME: memory, hull, isosurface, simplify, closest_point, hand,
-#                                       chain, track, segmentation
+# usage: scripts/bench.sh [NAME]...     NAME: memory, hull, isosurface, simplify, closest_point, fit,
+#                                       joint, hand, chain, track, segmentation
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -28,6 +28,7 @@ std::string openvdb_version();
 std::string open3d_version();
 std::string cgal_version();
 std::string nanoflann_version();
+std::string ceres_version();
 
 /// An ideal camera and its mask: 255 is hand, 0 background.
 struct FlatView {
