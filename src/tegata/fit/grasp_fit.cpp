@@ -12,6 +12,7 @@
 #include "tegata/base/parallel.h"
 #include "tegata/base/stopwatch.h"
 #include "tegata/fit/known_grasp.h"
+#include "tegata/fit/lost_frames.h"
 #include "tegata/math/median.h"
 
 namespace tegata {
@@ -36,14 +37,33 @@ constexpr double kFreeDeviations[] = {0.1, 0.15, 0.2, 0.3};
 // Of a frame's angles from those of a soft grasp [rad]: real grasps drift by 4 to 8 degrees.
 constexpr double kSoftDeviations[] = {0.1, 0.1, 0.1, 0.1};
 
+// The frames so far, one after the other.
+struct FitsSoFar {
+  void add(const FitHand& hand, const FitFrame& frame, const FrameFit& fit) {
+    fits.push_back(fit);
+    energies.push_back(fit.report.energy);
+    uncovered.push_back(uncovered_in_most(hand, frame, fit.pose));
+  }
+  // Whether a fit has at most so many times the usual energy, and leaves no more uncovered than
+  // usual.
+  bool is_usual(const FitHand& hand, const FitFrame& frame, const FrameFit& fit,
+                double energy_ratio) const {
+    return fit.report.energy <= energy_ratio * median(energies) &&
+           uncovered_in_most(hand, frame, fit.pose) <= most_uncovered(hand, uncovered);
+  }
+
+  std::vector<FrameFit> fits;
+  std::vector<double> energies, uncovered;
+};
+
 // A frame after the first: from where the hand was or would be and, where that fits far worse than
 // the frames before did, from nothing: the hand may have been lost.
-FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const std::vector<FrameFit>& before,
-                  const std::vector<double>& energies, const GraspFitOptions& options) {
-  const HandPose& last = before.back().pose;
+FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const FitsSoFar& before,
+                  const GraspFitOptions& options) {
+  const HandPose& last = before.fits.back().pose;
   std::vector<HandPose> starts = {last};
-  if (before.size() > 1) {
-    const HandPose& last_but_one = before[before.size() - 2].pose;
+  if (before.fits.size() > 1) {
+    const HandPose& last_but_one = before.fits[before.fits.size() - 2].pose;
     starts.push_back(
         {extrapolated(last_but_one.world_from_hand, last.world_from_hand), last.angles});
   }
@@ -55,11 +75,10 @@ FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const std::vector<
                                holding(std::move(schedules), last.angles, deviations),
                                options.threads);
   };
-  const double usual = median(energies);
   const FrameFit followed = fit_by({follow_schedule()});
-  if (followed.report.energy <= kFollowedEnergyRatio * usual) return followed;
+  if (before.is_usual(hand, frame, followed, kFollowedEnergyRatio)) return followed;
   const FrameFit tracked = fit_by(options.joint.frame);
-  if (tracked.report.energy <= kLostEnergyRatio * usual) return tracked;
+  if (before.is_usual(hand, frame, tracked, kLostEnergyRatio)) return tracked;
   const FrameFit found = fit_frame_from_nothing(
       hand, frame, {last.angles}, holding(options.joint.frame, last.angles, deviations),
       options.threads);
@@ -69,19 +88,18 @@ FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const std::vector<
 // The fits of all frames one after the other.
 std::vector<FrameFit> fit_in_order(const FitHand& hand, const FrameSource& frames,
                                    const GraspFitOptions& options, const Observer& observer) {
-  std::vector<FrameFit> fits;
-  std::vector<double> energies;
+  FitsSoFar so_far;
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const std::shared_ptr<const FitFrame> frame = frames.frame(f);
     if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
     observer.progress("frames", f, frames.size());
-    fits.push_back(fits.empty() ? fit_frame_from_nothing(hand, *frame, typical_angles(),
-                                                         options.joint.frame, options.threads)
-                                : fit_next(hand, *frame, fits, energies, options));
-    energies.push_back(fits.back().report.energy);
+    so_far.add(hand, *frame,
+               f == 0 ? fit_frame_from_nothing(hand, *frame, typical_angles(), options.joint.frame,
+                                               options.threads)
+                      : fit_next(hand, *frame, so_far, options));
   }
   observer.progress("frames", frames.size(), frames.size());
-  return fits;
+  return so_far.fits;
 }
 
 HandEstimate median_estimate(const std::vector<FrameFit>& fits) {
@@ -236,6 +254,8 @@ GraspFit fit_forwards(const FitHand& hand, const FrameSource& frames,
     keep_frames_free(hand, frames, fits, options, grasp);
   } else {
     fit_one_grasp(hand, frames, fits, options, observer, grasp);
+    find_lost_frames(hand, frames, {grasp.angles, grasp.object.surface, options.joint.with_object},
+                     options.threads, grasp.poses, grasp.left_out);
   }
   grasp.all_frames_seconds = grasp_watch.seconds();
   return grasp;

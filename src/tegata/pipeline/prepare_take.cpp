@@ -51,11 +51,13 @@ StoredFrame::StoredFrame(PreparedFrame prepared) : rest(std::move(prepared)) {
   for (const FitView& view : rest.frame.views) views.emplace_back(view);
   rest.frame.views.clear();
   rest.frame.views.shrink_to_fit();
+  rest.frame.hull.reset();
 }
 
 PreparedFrame StoredFrame::restored() const {
   PreparedFrame whole = rest;
   for (const StoredView& view : views) whole.frame.views.push_back(view.restored());
+  if (whole.refusal.empty()) whole.frame.hull.emplace(whole.hull);
   return whole;
 }
 

@@ -36,7 +36,7 @@ struct StoredFrame {
   /// The whole frame again.
   PreparedFrame restored() const;
 
-  PreparedFrame rest;  ///< all but the views
+  PreparedFrame rest;  ///< all but the frame's views and hull, which is made of the mesh again
   std::vector<StoredView> views;
 };
 
