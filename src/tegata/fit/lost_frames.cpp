@@ -14,7 +14,7 @@ namespace tegata {
 namespace {
 
 // Beyond so many times what is usual, uncovered [m] of a hand of FitHand::scale 1.
-constexpr double kLostUncovered = 5e-4, kLostRatio = 3.0;
+constexpr double kLostUncovered = 1e-4, kLostRatio = 3.0;
 
 class LostFrames {
  public:
