@@ -20,9 +20,11 @@ cmake --preset asan
 cmake --build --preset asan --target unit_tests
 
 jobs=$(nproc)
-# Half a minute to two minutes each under the sanitizers, through code that other tests go through
-# as well: these are left to the release build.
-slow='^(Grasps\.(Angles|Left|Plate|Thumb)|HandTracker\.WhatIs|KnownHulls\.|PaperFit\.(All|Does)|FitSurface\.(Missing|Same))'
+# Up to two minutes each under the sanitizers, through code that other tests go through as well:
+# these are left to the release build.
+slow='^(CalibrationCheck\.NamesTheCameraThatWas|DigitSearch\.FingersInTheir|FitTake\.AFrame'
+slow+='|FitSurface\.(Finds|Missing|Same)|Grasps\.(Angles|Left|Plate|Thumb)|HandTracker\.WhatIs'
+slow+='|KnownHulls\.|PaperFit\.(All|Does))'
 ctest --preset asan --no-tests=error -L unit -E "$slow" -j "$jobs"
 ctest --preset release --no-tests=error -j "$jobs"
 scripts/fuzz.sh 60
