@@ -108,18 +108,26 @@ TEGATA_KERNEL Vec<float> load(const std::array<Lanes, 3>& points, std::size_t i)
   return {points[0][i], points[1][i], points[2][i]};
 }
 
+// The pose's columns of a row: the arm's product with the normal for a turn, the normal for a
+// shift.
+template <std::size_t kCount>
+TEGATA_KERNEL void fill_pose_columns(const Vec<float>& point, const Vec<float>& n, std::size_t i,
+                                     std::array<Lanes, kCount>& columns) {
+  const Vec<float> turn = cross(point, n);
+  columns[0][i] = turn.x;
+  columns[1][i] = turn.y;
+  columns[2][i] = turn.z;
+  columns[3][i] = n.x;
+  columns[4][i] = n.y;
+  columns[5][i] = n.z;
+}
+
 TEGATA_KERNEL void fill_columns(const Motion<float>& motion, const Vec<float>& from_anchor,
                                 const Block& block, Columns<kPoseColumns>& columns) {
   for (std::size_t i = 0; i < kRowLanes; ++i) {
     const Vec<float> n = load(block.normal, i);
     const Vec<float> point = moved(motion.bones[0], load(block.position, i));
-    const Vec<float> turn = cross(point, n);
-    columns[0][i] = turn.x;
-    columns[1][i] = turn.y;
-    columns[2][i] = turn.z;
-    columns[3][i] = n.x;
-    columns[4][i] = n.y;
-    columns[5][i] = n.z;
+    fill_pose_columns(point, n, i, columns);
     columns[6][i] = dot(n, point + from_anchor) - block.offset[i];
   }
 }
@@ -131,13 +139,7 @@ TEGATA_KERNEL void fill_columns(const Motion<float>& motion, const Vec<float>& f
     const std::array<float, 4> weights = {block.weights[0][i], block.weights[1][i],
                                           block.weights[2][i], block.weights[3][i]};
     const DigitRow<float> row = digit_row(motion, load(block.position, i), weights, n);
-    const Vec<float> turn = cross(row.point, n);
-    columns[0][i] = turn.x;
-    columns[1][i] = turn.y;
-    columns[2][i] = turn.z;
-    columns[3][i] = n.x;
-    columns[4][i] = n.y;
-    columns[5][i] = n.z;
+    fill_pose_columns(row.point, n, i, columns);
     columns[6][i] = row.angles[0];
     columns[7][i] = row.angles[1];
     columns[8][i] = row.angles[2];
