@@ -37,19 +37,27 @@ constexpr double kFreeDeviations[] = {0.1, 0.15, 0.2, 0.3};
 // Of a frame's angles from those of a soft grasp [rad]: real grasps drift by 4 to 8 degrees.
 constexpr double kSoftDeviations[] = {0.1, 0.1, 0.1, 0.1};
 
+// A frame's fit, and how much of the seen hand it leaves uncovered.
+struct MeasuredFit {
+  MeasuredFit(const FitHand& hand, const FitFrame& frame, FrameFit measured)
+      : fit(std::move(measured)), uncovered(uncovered_in_most(hand, frame, fit.pose)) {}
+
+  FrameFit fit;
+  double uncovered;  // [m]
+};
+
 // The frames so far, one after the other.
 struct FitsSoFar {
-  void add(const FitHand& hand, const FitFrame& frame, const FrameFit& fit) {
-    fits.push_back(fit);
-    energies.push_back(fit.report.energy);
-    uncovered.push_back(uncovered_in_most(hand, frame, fit.pose));
+  void add(const MeasuredFit& measured) {
+    fits.push_back(measured.fit);
+    energies.push_back(measured.fit.report.energy);
+    uncovered.push_back(measured.uncovered);
   }
   // Whether a fit has at most so many times the usual energy, and leaves no more uncovered than
   // usual.
-  bool is_usual(const FitHand& hand, const FitFrame& frame, const FrameFit& fit,
-                double energy_ratio) const {
-    return fit.report.energy <= energy_ratio * median(energies) &&
-           uncovered_in_most(hand, frame, fit.pose) <= most_uncovered(hand, uncovered);
+  bool is_usual(const FitHand& hand, const MeasuredFit& measured, double energy_ratio) const {
+    return measured.fit.report.energy <= energy_ratio * median(energies) &&
+           measured.uncovered <= most_uncovered(hand, uncovered);
   }
 
   std::vector<FrameFit> fits;
@@ -58,8 +66,8 @@ struct FitsSoFar {
 
 // A frame after the first: from where the hand was or would be and, where that fits far worse than
 // the frames before did, from nothing: the hand may have been lost.
-FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const FitsSoFar& before,
-                  const GraspFitOptions& options) {
+MeasuredFit fit_next(const FitHand& hand, const FitFrame& frame, const FitsSoFar& before,
+                     const GraspFitOptions& options) {
   const HandPose& last = before.fits.back().pose;
   std::vector<HandPose> starts = {last};
   if (before.fits.size() > 1) {
@@ -71,18 +79,20 @@ FrameFit fit_next(const FitHand& hand, const FitFrame& frame, const FitsSoFar& b
                                          ? AngleDeviations(kFreeDeviations)
                                          : AngleDeviations(kFixedDeviations);
   const auto fit_by = [&](std::vector<FitSchedule> schedules) {
-    return fit_frame_from_best(hand, frame, starts, starts.size(),
-                               holding(std::move(schedules), last.angles, deviations),
-                               options.threads);
+    return MeasuredFit(hand, frame,
+                       fit_frame_from_best(hand, frame, starts, starts.size(),
+                                           holding(std::move(schedules), last.angles, deviations),
+                                           options.threads));
   };
-  const FrameFit followed = fit_by({follow_schedule()});
-  if (before.is_usual(hand, frame, followed, kFollowedEnergyRatio)) return followed;
-  const FrameFit tracked = fit_by(options.joint.frame);
-  if (before.is_usual(hand, frame, tracked, kLostEnergyRatio)) return tracked;
-  const FrameFit found = fit_frame_from_nothing(
-      hand, frame, {last.angles}, holding(options.joint.frame, last.angles, deviations),
-      options.threads);
-  return found.report.energy < tracked.report.energy ? found : tracked;
+  const MeasuredFit followed = fit_by({follow_schedule()});
+  if (before.is_usual(hand, followed, kFollowedEnergyRatio)) return followed;
+  const MeasuredFit tracked = fit_by(options.joint.frame);
+  if (before.is_usual(hand, tracked, kLostEnergyRatio)) return tracked;
+  FrameFit found = fit_frame_from_nothing(hand, frame, {last.angles},
+                                          holding(options.joint.frame, last.angles, deviations),
+                                          options.threads);
+  if (found.report.energy >= tracked.fit.report.energy) return tracked;
+  return {hand, frame, std::move(found)};
 }
 
 // The fits of all frames one after the other.
@@ -93,9 +103,9 @@ std::vector<FrameFit> fit_in_order(const FitHand& hand, const FrameSource& frame
     const std::shared_ptr<const FitFrame> frame = frames.frame(f);
     if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
     observer.progress("frames", f, frames.size());
-    so_far.add(hand, *frame,
-               f == 0 ? fit_frame_from_nothing(hand, *frame, typical_angles(), options.joint.frame,
-                                               options.threads)
+    so_far.add(f == 0 ? MeasuredFit(hand, *frame,
+                                    fit_frame_from_nothing(hand, *frame, typical_angles(),
+                                                           options.joint.frame, options.threads))
                       : fit_next(hand, *frame, so_far, options));
   }
   observer.progress("frames", frames.size(), frames.size());
