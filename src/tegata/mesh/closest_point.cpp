@@ -15,8 +15,8 @@ namespace tegata {
 namespace {
 
 // Cells are made so large that one on the surface of the points' box would hold about so many.
-constexpr double kPointsPerCell = 2.0;
-constexpr double kMostCellsPerPoint = 8.0;
+constexpr double kPointsPerCell = 3.0;
+constexpr double kMostCellsPerPoint = 1.0;
 // By how much of a cell a search looks further than it must: covers the rounding of cell indices.
 constexpr double kSlack = 1e-6;
 constexpr std::uint32_t kTrianglesPerLeaf = 4;
@@ -46,23 +46,21 @@ NearestPoint::NearestPoint(std::vector<Eigen::Vector3d> points) : points_(std::m
     }
   }
   choose_cells();
-  const auto cell_of = [&](const Eigen::Vector3d& point) {
-    const Eigen::Vector3d in_cells = (point - origin_) / cell_size_;
+  std::vector<std::uint32_t> cells(points_.size());
+  cell_start_.assign(static_cast<std::size_t>(cells_per_axis_.prod()) + 1, 0);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Eigen::Vector3d in_cells = (points_[i] - origin_) * cells_per_metre_;
     const int x = clamped_cell(in_cells.x(), cells_per_axis_.x());
     const int y = clamped_cell(in_cells.y(), cells_per_axis_.y());
     const int z = clamped_cell(in_cells.z(), cells_per_axis_.z());
-    return static_cast<std::size_t>((z * cells_per_axis_.y() + y) * cells_per_axis_.x() + x);
-  };
-  cell_start_.assign(static_cast<std::size_t>(cells_per_axis_.prod()) + 1, 0);
-  for (const Eigen::Vector3d& point : points_) ++cell_start_[cell_of(point) + 1];
+    cells[i] = static_cast<std::uint32_t>(first_of_row(y, z) + static_cast<std::size_t>(x));
+    ++cell_start_[cells[i]];
+  }
+  // Ends of the cells' runs first; placing the points from the last one on makes them beginnings.
   std::partial_sum(cell_start_.begin(), cell_start_.end(), cell_start_.begin());
-  std::vector<std::uint32_t> next(cell_start_.begin(), cell_start_.end() - 1);
-  order_.resize(points_.size());
   sorted_.resize(points_.size());
-  for (std::uint32_t i = 0; i < points_.size(); ++i) {
-    const std::uint32_t place = next[cell_of(points_[i])]++;
-    order_[place] = i;
-    sorted_[place] = points_[i];
+  for (std::size_t i = points_.size(); i-- > 0;) {
+    sorted_[--cell_start_[cells[i]]] = {points_[i], static_cast<std::uint32_t>(i)};
   }
 }
 
@@ -85,6 +83,7 @@ void NearestPoint::choose_cells() {
     cells = (side.array() / cell_size_).floor() + 1.0;
   }
   cells_per_axis_ = cells.cast<int>();
+  cells_per_metre_ = 1.0 / cell_size_;
 }
 
 struct NearestPoint::Search {
@@ -96,25 +95,38 @@ struct NearestPoint::Search {
 
 void NearestPoint::search_run(std::size_t first_cell, std::size_t last_cell, Search& search) const {
   for (std::uint32_t i = cell_start_[first_cell]; i < cell_start_[last_cell + 1]; ++i) {
-    const double distance2 = (sorted_[i] - search.query).squaredNorm();
-    if (distance2 < search.best2 || (distance2 == search.best2 && order_[i] < search.index)) {
+    const double distance2 = (sorted_[i].point - search.query).squaredNorm();
+    if (distance2 < search.best2 ||
+        (distance2 == search.best2 && sorted_[i].index < search.index)) {
       search.best2 = distance2;
-      search.index = order_[i];
+      search.index = sorted_[i].index;
     }
   }
 }
 
-// The cells that are `radius` cells away along one axis and not more along the others.
+// A lower bound of the square of a coordinate's distance to those of a cell.
+double NearestPoint::distance2_to_cell(double query, int axis, int cell) const {
+  const double low = origin_[axis] + (cell - kSlack) * cell_size_;
+  const double distance =
+      std::max({low - query, query - low - (1.0 + 2.0 * kSlack) * cell_size_, 0.0});
+  return distance * distance;
+}
+
+// The cells that are `radius` cells away along one axis and not more along the others, but for rows
+// that are too far away.
 void NearestPoint::search_shell(int radius, Search& search) const {
   const Eigen::Array3i low = (search.cell - radius).max(0);
   const Eigen::Array3i high = (search.cell + radius).min(cells_per_axis_ - 1);
   for (int z = low.z(); z <= high.z(); ++z) {
+    const double z2 = distance2_to_cell(search.query.z(), 2, z);
+    if (z2 > search.best2) continue;
+    const bool is_end = std::abs(z - search.cell.z()) == radius;
     for (int y = low.y(); y <= high.y(); ++y) {
-      const int row = (z * cells_per_axis_.y() + y) * cells_per_axis_.x();
-      const auto cell_at = [&](int x) { return static_cast<std::size_t>(row + x); };
-      const bool on_face =
-          std::max(std::abs(z - search.cell.z()), std::abs(y - search.cell.y())) == radius;
-      if (on_face) {
+      if (z2 + distance2_to_cell(search.query.y(), 1, y) > search.best2) continue;
+      const auto cell_at = [row = first_of_row(y, z)](int x) {
+        return row + static_cast<std::size_t>(x);
+      };
+      if (is_end || std::abs(y - search.cell.y()) == radius) {
         search_run(cell_at(low.x()), cell_at(high.x()), search);
         continue;
       }
@@ -133,7 +145,7 @@ NearestPoint::Match NearestPoint::nearest(const Eigen::Vector3d& query) const {
   double to_next_cell = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     const int count = cells_per_axis_[axis];
-    const double coordinate = (query[axis] - origin_[axis]) / cell_size_;
+    const double coordinate = (query[axis] - origin_[axis]) * cells_per_metre_;
     const double within = std::clamp(coordinate, 0.0, static_cast<double>(count));
     const int cell = clamped_cell(coordinate, count);
     search.cell[axis] = cell;
@@ -147,7 +159,7 @@ NearestPoint::Match NearestPoint::nearest(const Eigen::Vector3d& query) const {
     if (radius > 0 && outside2 * (1.0 - kSlack) + reach * reach > search.best2) break;
     search_shell(radius, search);
   }
-  return {search.index, (points_[search.index] - query).norm()};
+  return {search.index, std::sqrt(search.best2)};
 }
 
 NearestSurface::NearestSurface(const TriangleMesh& mesh) : mesh_(mesh) {

@@ -27,17 +27,25 @@ class NearestPoint {
 
  private:
   struct Search;
+  struct Numbered {
+    Eigen::Vector3d point;
+    std::uint32_t index;
+  };
   void choose_cells();
   void search_run(std::size_t first_cell, std::size_t last_cell, Search& search) const;
   void search_shell(int radius, Search& search) const;
+  double distance2_to_cell(double query, int axis, int cell) const;
+  std::size_t first_of_row(int y, int z) const {
+    return static_cast<std::size_t>(z * cells_per_axis_.y() + y) *
+           static_cast<std::size_t>(cells_per_axis_.x());
+  }
 
   std::vector<Eigen::Vector3d> points_;
   Eigen::Vector3d origin_;
-  double cell_size_ = 0.0;
+  double cell_size_ = 0.0, cells_per_metre_ = 0.0;
   Eigen::Array3i cells_per_axis_;
-  std::vector<std::uint32_t> cell_start_;  ///< where each cell's run begins in order_
-  std::vector<std::uint32_t> order_;       ///< point indices by cell
-  std::vector<Eigen::Vector3d> sorted_;    ///< points in that order
+  std::vector<std::uint32_t> cell_start_;  ///< where each cell's run begins in sorted_
+  std::vector<Numbered> sorted_;           ///< points by cell
 };
 
 /// The nearest point on a fixed set of triangles, by a tree of boxes.
