@@ -19,6 +19,12 @@ constexpr double kIndependentResiduals = 30.0;
 // How many starts from nothing are followed to the end.
 constexpr std::size_t kKeptStarts = 6;
 
+// The schedules of a search end with so many stages in common.
+constexpr std::size_t kCommonStages = 2;
+// Estimates that are nearer to each other end alike: these are steps of a coarse stage.
+constexpr double kAlikeTurn = 0.05;     // of the hand and of each joint [rad]
+constexpr double kAlikeLength = 0.003;  // [m]
+
 // Contours with a wider kernel [m] are looked at less closely.
 constexpr double kFineSigma = 0.004;
 
@@ -42,6 +48,62 @@ FitStage contour_stage(double sigma, double violation_sigma, int most_iterations
 FitStage with_landmarks(FitStage stage, double weight) {
   stage.landmarks = LandmarkTermOptions{.weight = weight};
   return stage;
+}
+
+bool is_alike(const HandPose& a, const HandPose& b, double scale) {
+  const Rigid3d &here = a.world_from_hand, &there = b.world_from_hand;
+  return here.rotation.angularDistance(there.rotation) < kAlikeTurn &&
+         (here.translation - there.translation).norm() < kAlikeLength * scale &&
+         (a.angles - b.angles).cwiseAbs().maxCoeff() < kAlikeTurn;
+}
+
+// A start on its way through a schedule.
+struct Run {
+  const FitSchedule* schedule;
+  FrameFit fit;
+};
+
+// Of runs that have come to the same place the first one goes on.
+void join_alike(std::vector<Run>& runs, double scale) {
+  std::vector<Run> apart;
+  for (Run& run : runs) {
+    const auto joins = [&](const Run& other) {
+      return is_alike(run.fit.pose, other.fit.pose, scale);
+    };
+    if (std::none_of(apart.begin(), apart.end(), joins)) apart.push_back(std::move(run));
+  }
+  runs = std::move(apart);
+}
+
+// Fits from all starts by all schedules, the lowest energy first.
+std::vector<FrameFit> fit_all(const FitHand& hand, const FitFrame& frame,
+                              const std::vector<HandPose>& starts,
+                              const std::vector<FitSchedule>& schedules, int threads) {
+  std::vector<Run> runs;
+  std::size_t most_stages = 0;
+  for (const HandPose& start : starts) {
+    for (const FitSchedule& schedule : schedules) {
+      runs.push_back({&schedule, {start, {}}});
+      most_stages = std::max(most_stages, schedule.stages.size());
+    }
+  }
+  for (std::size_t left = most_stages; left > 0; --left) {
+    if (left <= kCommonStages && left < most_stages) join_alike(runs, hand.scale);
+    parallel_for(runs.size(), threads, [&](std::size_t i) {
+      const std::vector<FitStage>& stages = runs[i].schedule->stages;
+      if (left > stages.size()) return;
+      FrameFit& fit = runs[i].fit;
+      const int iterations = fit.report.iterations;
+      fit = fit_frame(hand, frame, fit.pose, FitSchedule{{stages[stages.size() - left]}}, threads);
+      fit.report.iterations += iterations;
+    });
+  }
+  std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
+    return a.fit.report.energy < b.fit.report.energy;
+  });
+  std::vector<FrameFit> fits;
+  for (Run& run : runs) fits.push_back(std::move(run.fit));
+  return fits;
 }
 
 }  // namespace
@@ -143,22 +205,13 @@ FrameFit fit_frame_from_best(const FitHand& hand, const FitFrame& frame,
     throw Error("frame fit: got ", starts.size(), " starts and ", schedules.size(),
                 " schedules, expected at least one of each, and a stage");
   }
-  const auto fit_all = [&](const std::vector<HandPose>& from, const std::vector<FitSchedule>& by) {
-    std::vector<FrameFit> fits(from.size() * by.size());
-    parallel_for(fits.size(), threads, [&](std::size_t i) {
-      fits[i] = fit_frame(hand, frame, from[i / by.size()], by[i % by.size()]);
-    });
-    std::stable_sort(fits.begin(), fits.end(), [](const FrameFit& a, const FrameFit& b) {
-      return a.report.energy < b.report.energy;
-    });
-    return fits;
-  };
-  if (starts.size() <= kept) return fit_all(starts, schedules).front();
+  if (starts.size() <= kept) return fit_all(hand, frame, starts, schedules, threads).front();
+  const FitSchedule first{{schedules.front().stages.front()}};
   std::vector<HandPose> best;
-  for (const FrameFit& fit : fit_all(starts, {{{schedules.front().stages.front()}}})) {
+  for (const FrameFit& fit : fit_all(hand, frame, starts, {first}, threads)) {
     if (best.size() < std::max<std::size_t>(kept, 1)) best.push_back(fit.pose);
   }
-  return fit_all(best, schedules).front();
+  return fit_all(hand, frame, best, schedules, threads).front();
 }
 
 FrameFit fit_frame_from_nothing(const FitHand& hand, const FitFrame& frame,

@@ -62,9 +62,10 @@ struct FrameFit {
 FrameFit fit_frame(const FitHand& hand, const FitFrame& frame, const HandPose& start,
                    const FitSchedule& schedule, int threads = 1);
 
-/// Fits one frame from several starts through several schedules that end with the same stage; the
-/// lowest energy wins. Of more than `kept` starts only the best are followed after the first stage
-/// of the first schedule.
+/// Fits one frame from several starts through several schedules; the lowest energy wins. Schedules
+/// that differ end with the same two stages: what has come to the same place before these goes
+/// on as one. Of more than `kept` starts only the best are followed after the first stage of the
+/// first schedule.
 FrameFit fit_frame_from_best(const FitHand& hand, const FitFrame& frame,
                              const std::vector<HandPose>& starts, std::size_t kept,
                              const std::vector<FitSchedule>& schedules, int threads);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tegata/base/parallel.h"
 #include "tegata/fit/contradiction.h"
 #include "tegata/fit/digit_search.h"
 #include "tegata/fit/known_grasp.h"
@@ -74,11 +75,11 @@ void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
                 HandEstimate& estimate) {
   if (frames.size() < 3) return;
   const std::vector<Rigid3d> poses = estimate.world_from_hand;
-  for (std::size_t f = 0; f < frames.size(); ++f) {
+  parallel_for(frames.size(), options.threads, [&](std::size_t f) {
     const Rigid3d expected = expected_pose(poses, f);
     if (expected.rotation.angularDistance(poses[f].rotation) < kJumpAngle &&
         (expected.translation - poses[f].translation).norm() < kJumpLength * hand.scale) {
-      continue;
+      return;
     }
     // Twice: what stands about the hand is drawn where each begins, here nearly where it ends.
     const auto fit_from = [&](const HandPose& start) {
@@ -89,7 +90,7 @@ void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
     if (there.report.energy < here.report.energy) {
       estimate.world_from_hand[f] = there.pose.world_from_hand;
     }
-  }
+  });
 }
 
 // Lets all frames settle by a schedule and seeks suspects anew; with `reseats` fingers are tried in
