@@ -10,8 +10,12 @@
 
 #include "run_program.h"
 #include "tegata/base/angle.h"
+#include "tegata/base/error.h"
+#include "tegata/math/so3.h"
 #include "tegata/pipeline/calibrate_take.h"
+#include "tegata/pipeline/check_calibration.h"
 #include "tegata/take/calibration_file.h"
+#include "tegata/take/picture_file.h"
 #include "tegata/take/result.h"
 #include "tegata/take/test_folder.h"
 
@@ -44,6 +48,89 @@ TEST(Recordings, TwoVideosOfABareHandAreFitted) {
   }
   EXPECT_GE(ok, 3u);
   EXPECT_GE(overlap / static_cast<double>(ok), 0.6);
+}
+
+class TwoCameras : public testing::Test {
+ protected:
+  void SetUp() override {
+    const fs::path recording = fs::path(TEGATA_DATA_DIR) / "hand_2cam";
+    if (!fs::exists(recording)) GTEST_SKIP() << recording << " is not there";
+    const fs::path take = folder_ / "recording";
+    const std::string convert = text(TEGATA_SOURCE_DIR, "/examples/two_cameras/make_take.sh '",
+                                     recording.string(), "' '", take.string(), "' >&2");
+    ASSERT_EQ(std::system(convert.c_str()), 0);
+    const ProgramRun run = run_program(
+        {"segment", take.string(), "-o", take_.string(), "--frames", "30:190:20", "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    truth_ = read_calibration(take_ / "calibration.toml");
+  }
+
+  /// The problems that the check finds with other cameras.
+  std::vector<CalibrationProblem> problems_of(const CameraRig& rig) const {
+    write_calibration(rig, take_ / "calibration.toml");
+    Take take = Take::open(take_);
+    return check_take(take, {}, {}).calibration.problems;
+  }
+  /// What the start of a fit says.
+  std::string warnings_of(const CameraRig& rig) const {
+    write_calibration(rig, take_ / "calibration.toml");
+    Take take = Take::open(take_);
+    std::string warnings;
+    const Observer observer{{}, [&](std::string_view message) { warnings += message; }};
+    try {
+      prepare_checked_take(take, {}, observer);
+    } catch (const Error& error) {
+      warnings += error.what();
+    }
+    return warnings;
+  }
+  CameraRig turned(std::size_t camera, const Eigen::Vector3d& by) const {
+    CameraRig rig = truth_;
+    Rigid3d& pose = rig[camera].camera_from_world;
+    pose = {so3_exp(by) * pose.rotation, so3_exp(by) * pose.translation};
+    return rig;
+  }
+
+  const TestFolder folder_;
+  const fs::path take_ = folder_ / "take";
+  CameraRig truth_;
+};
+
+bool names(const std::vector<CalibrationProblem>& problems, const std::string& camera,
+           const std::string& cause) {
+  return problems.size() == 1 &&
+         std::count(problems[0].cameras.begin(), problems[0].cameras.end(), camera) == 1 &&
+         problems[0].message.find(cause) != std::string::npos;
+}
+
+TEST_F(TwoCameras, WrongCalibrationsAreCaughtAndNamed) {
+  EXPECT_TRUE(problems_of(truth_).empty());
+  CameraRig exchanged = truth_;
+  std::swap(exchanged[0].camera_from_world, exchanged[1].camera_from_world);
+  constexpr const char* kExchanged = "'cam0' and 'cam1' seem to be exchanged";
+  EXPECT_TRUE(names(problems_of(exchanged), "cam0", kExchanged));
+  EXPECT_NE(warnings_of(exchanged).find(kExchanged), std::string::npos);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const std::string name = truth_[c].name;
+    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0)}) {
+      for (const double angle : {-5.0 * kDegree, 5.0 * kDegree}) {
+        const auto problems = problems_of(turned(c, angle * axis));
+        EXPECT_TRUE(names(problems, name, text("'", name, "' does not fit the others: turned")))
+            << axis.transpose() << (problems.empty() ? "nothing found" : problems[0].message);
+      }
+    }
+  }
+  for (const auto& file : fs::directory_iterator(take_ / "masks" / "cam1")) {
+    CameraImage mask = read_picture(file.path());
+    for (int y = 0; y < mask.values.height(); ++y) {
+      auto row = mask.values.values().begin() + y * mask.values.width();
+      std::reverse(row, row + mask.values.width());
+    }
+    write_picture(mask, file.path());
+  }
+  const auto problems = problems_of(truth_);
+  EXPECT_TRUE(names(problems, "cam1", "'cam1' seem to be mirrored left to right"))
+      << (problems.empty() ? "nothing found" : problems[0].message);
 }
 
 // The board crossed an eighth of each picture, so lenses are those that its makers had calibrated

@@ -196,6 +196,17 @@ TEST(CalibrationCheck, OfTwoCamerasEitherMayBeToBlame) {
   EXPECT_TRUE(blames(suspect(truth, seen(truth, 1)), "cam_1"));
 }
 
+TEST(CalibrationCheck, TwoTangentsProveNoTurn) {
+  const CameraRig truth = ring(2);
+  RigOutlines frames = seen(truth);
+  const CameraRig rig = turned(truth, 1, {2.5 * kDegree, 0.0, 0.0});
+  EXPECT_TRUE(blames(suspect(rig, frames), "cam_1"));
+  frames.resize(1);
+  ASSERT_EQ(pair_tangencies(rig, frames).front().count, 2u);
+  const auto suspicion = suspect(rig, frames);
+  EXPECT_FALSE(suspicion.has_value()) << (suspicion ? suspicion->message : "");
+}
+
 TEST(CalibrationCheck, TellsPosesThatAreInverse) {
   const CameraRig truth = ring(3);
   CameraRig inverse = truth;

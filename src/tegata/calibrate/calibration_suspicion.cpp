@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 
 #include "tegata/base/angle.h"
 #include "tegata/base/text.h"
@@ -23,18 +24,30 @@ constexpr double kAgreement = 1.2 * kDegree;
 constexpr double kFaint = 0.25 * kDegree;
 constexpr double kFaintlyExplained = 0.4;
 constexpr double kLeastTurn = 2.0 * kDegree;
+// A turn explains three tangents whatever they are: so few prove only what is far off.
+constexpr std::size_t kFewTangents = 5, kFewestTangents = 3;
+constexpr double kFarOff = 3.0 * kDegree;
+// What a calibration by which no tangents are left counts as.
+constexpr double kMostContradicted = 30.0 * kDegree;
 // What puts things right must explain so much of the contradiction.
 constexpr double kExplained = 0.5;
 // Several cameras are named where each explains about as much. Of two cameras, which of them was
 // turned can hardly be told: all that explain enough are named.
 constexpr double kTie = 1.25, kTieOfTwo = 4.0;
 
+// How well silhouettes and a rig agree.
+struct Agreement {
+  double cost = 0.0;         // [rad]
+  std::size_t tangents = 0;  // it was measured by
+};
+
 struct Hypothesis {
   std::vector<std::size_t> cameras;
   std::string message;
-  double cost = 0.0;
+  Agreement agreement;
   double handicap = 1.0;  ///< of those that can be fitted to anything
   bool is_turn = false;
+  double lack = 1.0;  ///< of tangents, as a factor
 };
 
 Eigen::Vector3d middle_ray(const OutlineRays& outline) {
@@ -47,12 +60,17 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+bool is_cut(const std::optional<OutlineRays>& outline) {
+  return outline && std::find(outline->cut.begin(), outline->cut.end(), true) != outline->cut.end();
+}
+
 // How far a camera's middle ray passes by where those of two or more others meet, beyond what
 // different outlines of one thing explain [rad]; nothing where it cannot be told.
 std::optional<double> miss(const CameraRig& rig,
                            const std::vector<std::optional<OutlineRays>>& frame,
                            std::size_t camera) {
-  constexpr double kShare = 0.2;  // of the silhouette's radius
+  // Of the silhouette's radius; more where pictures end at different places of an arm.
+  constexpr double kShare = 0.2, kShareOfCut = 0.6;
   if (!frame[camera]) return std::nullopt;
   auto others = frame;
   others[camera].reset();
@@ -64,7 +82,8 @@ std::optional<double> miss(const CameraRig& rig,
     radius = std::max(radius, angle_between(ray, middle));
   }
   const double off = angle_between(rig[camera].camera_from_world * *point, middle);
-  return std::max(0.0, off - kShare * radius);
+  const bool cut = std::any_of(frame.begin(), frame.end(), is_cut);
+  return std::max(0.0, off - (cut ? kShareOfCut : kShare) * radius);
 }
 
 // The mean over the cameras of the median of their misses.
@@ -84,14 +103,37 @@ double miss_cost(const CameraRig& rig, const RigOutlines& frames) {
   return sum;
 }
 
-double cost_of(const CameraRig& rig, const RigOutlines& frames) {
-  return tangency_cost(pair_tangencies(rig, frames)) + miss_cost(rig, frames);
+std::size_t tangents_of(const std::vector<PairTangency>& pairs) {
+  std::size_t count = 0;
+  for (const PairTangency& pair : pairs) count += pair.count;
+  return count;
+}
+
+Agreement agreement_of(const CameraRig& rig, const RigOutlines& frames) {
+  const std::vector<PairTangency> pairs = pair_tangencies(rig, frames);
+  return {tangency_cost(pairs) + miss_cost(rig, frames), tangents_of(pairs)};
 }
 
 // Costs that differ by less than pixels explain do not matter.
 double rank(const Hypothesis& hypothesis) {
   constexpr double kNoise = 0.2 * kDegree;
-  return (hypothesis.cost + kNoise) * hypothesis.handicap;
+  return (hypothesis.agreement.cost + kNoise) * hypothesis.handicap * hypothesis.lack;
+}
+
+// A rig by which the silhouettes have hardly any tangents agrees with anything: such hypotheses
+// fall behind, those without any are none.
+void weigh_by_tangents(std::vector<Hypothesis>& hypotheses) {
+  constexpr double kEnough = 0.75;  // of the most that a hypothesis has
+  hypotheses.erase(
+      std::remove_if(hypotheses.begin(), hypotheses.end(),
+                     [](const Hypothesis& one) { return one.agreement.tangents == 0; }),
+      hypotheses.end());
+  std::size_t most = 0;
+  for (const Hypothesis& one : hypotheses) most = std::max(most, one.agreement.tangents);
+  for (Hypothesis& one : hypotheses) {
+    one.lack = std::max(
+        1.0, kEnough * static_cast<double>(most) / static_cast<double>(one.agreement.tangents));
+  }
 }
 
 std::string degrees(double angle) {
@@ -110,7 +152,7 @@ void try_exchanges(const CameraRig& rig, const RigOutlines& frames,
       hypotheses.push_back(
           {{a, b},
            text("cameras '", rig[a].name, "' and '", rig[b].name, "' seem to be exchanged"),
-           cost_of(exchanged, frames)});
+           agreement_of(exchanged, frames)});
     }
   }
 }
@@ -137,7 +179,7 @@ void try_flips(const CameraRig& rig, const RigOutlines& frames,
       hypotheses.push_back({{c},
                             text("the pictures of camera '", rig[c].name, "' seem to be ",
                                  flip.what, ", or its pose is"),
-                            cost_of(rig, flipped(frames, c, flip.signs))});
+                            agreement_of(rig, flipped(frames, c, flip.signs))});
     }
   }
 }
@@ -158,7 +200,7 @@ void try_mirrored_poses(const CameraRig& rig, const RigOutlines& frames,
       hypotheses.push_back(
           {{c},
            text("the pose of camera '", rig[c].name, "' seems to be mirrored in ", "xyz"[axis]),
-           cost_of(mirrored, frames),
+           agreement_of(mirrored, frames),
            kHandicap});
     }
   }
@@ -173,7 +215,7 @@ void try_inverse(const CameraRig& rig, const RigOutlines& frames,
     all.push_back(all.size());
   }
   hypotheses.push_back({all, "the poses seem to take camera to world, expected world to camera",
-                        cost_of(inverse, frames)});
+                        agreement_of(inverse, frames)});
 }
 
 // The turn of one camera about its centre that fits the others best: a pattern search, as medians
@@ -181,14 +223,18 @@ void try_inverse(const CameraRig& rig, const RigOutlines& frames,
 Eigen::Vector3d best_turn(const CameraRig& rig, const RigOutlines& frames, std::size_t camera) {
   constexpr double kFirstStep = 4.0 * kDegree, kLastStep = 0.2 * kDegree, kMost = 20.0 * kDegree;
   CameraRig turned = rig;
+  const Agreement unturned = agreement_of(rig, frames);
   const auto cost = [&](const Eigen::Vector3d& turn) {
     const Rigid3d& pose = rig[camera].camera_from_world;
     const Eigen::Quaterniond by = so3_exp(turn);
     turned[camera].camera_from_world = {by * pose.rotation, by * pose.translation};
-    return cost_of(turned, frames);
+    const Agreement found = agreement_of(turned, frames);
+    // Not by turning tangents out of sight.
+    return 2 * found.tangents >= unturned.tangents ? found.cost
+                                                   : std::numeric_limits<double>::infinity();
   };
   Eigen::Vector3d best = Eigen::Vector3d::Zero();
-  double least = cost(best);
+  double least = unturned.cost;
   for (double step = kFirstStep; step >= kLastStep;) {
     Eigen::Vector3d next = best;
     double next_cost = least;
@@ -226,7 +272,7 @@ void try_turns(const CameraRig& rig, const RigOutlines& frames,
     hypotheses.push_back({{c},
                           text("camera '", rig[c].name, "' does not fit the others: turned by ",
                                degrees(turn.norm()), " degrees it would"),
-                          cost_of(turned, frames),
+                          agreement_of(turned, frames),
                           kHandicap,
                           true});
   }
@@ -239,17 +285,21 @@ void try_without(const CameraRig& rig, const RigOutlines& frames,
   for (std::size_t c = 0; c < rig.size() && rig.size() > 2; ++c) {
     RigOutlines left = frames;
     for (auto& frame : left) frame[c].reset();
-    if (pair_tangencies(rig, left).empty()) continue;
+    Agreement agreement = agreement_of(rig, left);
+    agreement.tangents = agreement.tangents * rig.size() / (rig.size() - 2);  // had it its pairs
     hypotheses.push_back(
         {{c},
          text("camera '", rig[c].name, "' does not fit the others, which agree with each other"),
-         cost_of(rig, left),
+         agreement,
          kHandicap});
   }
 }
 
 // What contradicts what: the pair of cameras that agree least.
 std::string contradiction(const CameraRig& rig, const std::vector<PairTangency>& pairs) {
+  if (pairs.empty()) {
+    return "by the calibration each camera stands in or near the others' silhouettes";
+  }
   const PairTangency& worst = *std::max_element(
       pairs.begin(), pairs.end(),
       [](const PairTangency& a, const PairTangency& b) { return a.median < b.median; });
@@ -261,8 +311,8 @@ std::string contradiction(const CameraRig& rig, const std::vector<PairTangency>&
 Suspicion suspicion_of(const CameraRig& rig, const std::vector<PairTangency>& pairs,
                        const std::vector<Hypothesis>& hypotheses, double cost_before) {
   const Hypothesis& best = hypotheses.front();
-  Suspicion suspicion{{}, contradiction(rig, pairs), cost_before, best.cost};
-  if (best.cost > kExplained * cost_before) {
+  Suspicion suspicion{{}, contradiction(rig, pairs), cost_before, best.agreement.cost};
+  if (best.agreement.cost > kExplained * cost_before) {
     for (const Camera& camera : rig) suspicion.cameras.push_back(camera.name);
     suspicion.message +=
         ": it is not that of these pictures, they are not of the same moments, or show different "
@@ -274,7 +324,7 @@ Suspicion suspicion_of(const CameraRig& rig, const std::vector<PairTangency>& pa
     const bool first = &hypothesis == &best;
     const bool tie = hypothesis.is_turn == best.is_turn && hypothesis.handicap == best.handicap &&
                      rank(hypothesis) <= (turn_of_two ? kTieOfTwo : kTie) * rank(best) &&
-                     hypothesis.cost <= kExplained * cost_before &&
+                     hypothesis.agreement.cost <= kExplained * cost_before &&
                      hypothesis.cameras.size() == best.cameras.size();
     if (!first && !tie) continue;
     suspicion.message += (first ? ": " : "; or ") + hypothesis.message;
@@ -293,23 +343,33 @@ Suspicion suspicion_of(const CameraRig& rig, const std::vector<PairTangency>& pa
 
 std::optional<Suspicion> suspect(const CameraRig& rig, const RigOutlines& frames) {
   const std::vector<PairTangency> pairs = pair_tangencies(rig, frames);
-  const bool agree = miss_cost(rig, frames) <= kAgreement &&
+  const bool agree = !pairs.empty() && miss_cost(rig, frames) <= kAgreement &&
                      std::all_of(pairs.begin(), pairs.end(), [](const PairTangency& pair) {
                        return pair.median <= kAgreement;
                      });
-  const double cost = cost_of(rig, frames);
-  if (pairs.empty() || cost < kFaint) return std::nullopt;
+  const double cost = pairs.empty() ? kMostContradicted : agreement_of(rig, frames).cost;
+  if (cost < kFaint) return std::nullopt;
+  const std::size_t tangents = tangents_of(pairs);
+  const bool few = tangents < (cost < kFarOff ? kFewTangents : kFewestTangents);
   std::vector<Hypothesis> hypotheses;
   try_exchanges(rig, frames, hypotheses);
   try_flips(rig, frames, hypotheses);
   try_mirrored_poses(rig, frames, hypotheses);
   try_inverse(rig, frames, hypotheses);
-  try_turns(rig, frames, hypotheses);
+  if (!few) try_turns(rig, frames, hypotheses);
   // Two cameras that are left always meet: they prove nothing against faint doubts.
   if (!agree) try_without(rig, frames, hypotheses);
+  weigh_by_tangents(hypotheses);
+  if (hypotheses.empty()) return std::nullopt;
   std::stable_sort(hypotheses.begin(), hypotheses.end(),
                    [](const Hypothesis& a, const Hypothesis& b) { return rank(a) < rank(b); });
-  if (agree && hypotheses.front().cost > kFaintlyExplained * cost) return std::nullopt;
+  // Cameras that face each other have no tangents either: only what agrees in all frames tells.
+  const Agreement& best = hypotheses.front().agreement;
+  if (pairs.empty() && (best.cost > kAgreement || best.tangents < frames.size())) {
+    return std::nullopt;
+  }
+  if ((agree || few) && best.cost > kFaintlyExplained * cost) return std::nullopt;
+  if (few && cost < kFarOff && best.tangents < kFewTangents) return std::nullopt;
   return suspicion_of(rig, pairs, hypotheses, cost);
 }
 
