@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/take/video_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include <limits>
 #include <opencv2/videoio.hpp>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -79,10 +81,38 @@ struct VideoFile::State {
   std::filesystem::path file;
   cv::VideoCapture capture;
   std::size_t frame_count = 0;
-  std::size_t next = 0;             // what the decoder gives next
+  std::size_t next = 0;             // the first picture that was not grabbed yet
+  double time_ms = 0.0;             // of picture next - 1
+  std::set<std::size_t> broken;     // that cannot be decoded although later ones can
   std::optional<std::size_t> end;   // where decoding ended
-  std::optional<CameraImage> last;  // picture next - 1
+  std::optional<CameraImage> last;  // picture next - 1, once it was asked for
+
+  bool grab(std::size_t wanted);
 };
+
+// Grabs the next picture that can be decoded; false where none comes up to `wanted` or to the end
+// of the video. A picture that cannot be decoded fails to be grabbed once, and those after it come
+// as ever; their times say how many were passed over.
+bool VideoFile::State::grab(std::size_t wanted) {
+  const std::size_t first = next;
+  last.reset();
+  for (std::size_t at = first; at < std::max(frame_count, wanted + 1); ++at) {
+    if (!capture.grab()) continue;
+    const double before = std::exchange(time_ms, capture.get(cv::CAP_PROP_POS_MSEC));
+    next = at + 1;
+    if (at > first) {
+      const double passed = (time_ms - before) * 1e-3 * capture.get(cv::CAP_PROP_FPS);
+      if (first > 0 && std::isfinite(passed) && passed >= 2.0 && passed < 1e9) {
+        next = first + static_cast<std::size_t>(std::llround(passed));
+      }
+      for (std::size_t lost = first; lost + 1 < next; ++lost) broken.insert(lost);
+    }
+    return true;
+  }
+  end = first;
+  next = std::numeric_limits<std::size_t>::max();  // nothing is held: any other starts anew
+  return false;
+}
 
 VideoFile::VideoFile(std::filesystem::path file) : state_(std::make_unique<State>()) {
   state_->file = std::move(file);
@@ -111,23 +141,23 @@ std::size_t VideoFile::frame_count() const { return state_->frame_count; }
 const CameraImage& VideoFile::read(std::size_t index) {
   State& state = *state_;
   if (state.last && index + 1 == state.next) return *state.last;
-  if (!state.end || index < *state.end) {
-    if (index < state.next) {
+  if (!state.broken.contains(index) && (!state.end || index < *state.end)) {
+    if (index + 1 < state.next) {
       open_capture(state.capture, state.file);
       state.next = 0;
     }
-    state.last.reset();
     cv::Mat picture;
     const SilentOpenCv silent;
-    while (state.next <= index && state.capture.grab()) ++state.next;
-    if (state.next > index && state.capture.retrieve(picture) && !picture.empty()) {
+    while (state.next <= index && state.grab(index)) {
+    }
+    if (index + 1 == state.next && state.capture.retrieve(picture) && !picture.empty()) {
       state.last = picture_from_opencv(picture);
       return *state.last;
     }
-    if (state.next <= index) state.end = state.next;
   }
+  const bool past_end = state.end && index >= *state.end;
   throw Error(state.file.string(), ": picture ", index, " cannot be decoded",
-              state.end ? text(": the video ends after ", *state.end) : "");
+              past_end ? text(": the video ends after ", *state.end) : "");
 }
 
 }  // namespace tegata

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
+#include "tegata/base/text.h"
 #include "tegata/take/staged_folder.h"
 #include "tegata/take/test_folder.h"
 #include "tegata/take/test_video.h"
@@ -43,6 +45,49 @@ TEST(VideoFile, PicturesPastTheEndAreErrorsAndDoNotSpoilTheRest) {
   for (int again = 0; again < 2; ++again) {
     EXPECT_TRUE(says(error_of([&] { video.read(7); }), "a.avi", "picture 7", "after 4"));
     EXPECT_NEAR(video.read(3).values(5, 5), 80.0, 3.0);
+  }
+}
+
+// Overwrites most of a picture, or cuts the file within it.
+std::string damaged_avi(std::size_t index, bool cut) {
+  std::string avi = motion_jpeg_avi(steps_of_gray(10));
+  std::size_t at = 0;
+  for (std::size_t i = 0; i <= index; ++i) at = avi.find("00dc", at) + 4;
+  if (cut) {
+    avi.resize(at + 100);
+  } else {
+    const std::size_t end = avi.find("00dc", at);
+    std::fill(avi.begin() + static_cast<std::ptrdiff_t>(at + 40),
+              avi.begin() + static_cast<std::ptrdiff_t>(end), '\0');
+  }
+  return avi;
+}
+
+TEST(VideoFile, ABrokenPictureCostsNoOther) {
+  const TestFolder folder;
+  for (const std::size_t broken : {0u, 5u}) {
+    write_file(folder / "a.avi", damaged_avi(broken, false));
+    VideoFile video(folder / "a.avi");
+    for (const std::size_t index : {0u, 1u, 4u, 5u, 6u, 9u, 5u, 6u, 2u, 0u}) {
+      if (index == broken) {
+        EXPECT_TRUE(says(error_of([&] { video.read(index); }), "a.avi", text("picture ", index)));
+      } else {
+        EXPECT_NEAR(video.read(index).values(30, 20), 20.0 * static_cast<double>(index + 1), 3.0);
+      }
+    }
+  }
+}
+
+TEST(VideoFile, AVideoThatIsCutShortGivesWhatItHas) {
+  const TestFolder folder;
+  write_file(folder / "a.avi", damaged_avi(5, true));
+  VideoFile video(folder / "a.avi");
+  for (const std::size_t index : {5u, 9u, 4u, 6u, 3u}) {
+    if (index >= 5) {
+      EXPECT_TRUE(says(error_of([&] { video.read(index); }), "a.avi", "ends after 5"));
+    } else {
+      EXPECT_NEAR(video.read(index).values(30, 20), 20.0 * static_cast<double>(index + 1), 3.0);
+    }
   }
 }
 
