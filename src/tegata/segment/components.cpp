@@ -21,6 +21,18 @@ struct Run {
   bool at_edge;        // the same: whether the piece touches the edge of the picture
 };
 
+// The first pixel from `first` on with another label than it, or `last`.
+const PixelLabel* end_of_run(const PixelLabel* first, const PixelLabel* last) {
+  const PixelLabel label = *first;
+  std::uint64_t same = 0, some = 0;  // eight pixels at a time
+  std::memset(&same, static_cast<int>(label), sizeof(same));
+  for (; last - first >= std::ptrdiff_t{sizeof(same)}; first += sizeof(same)) {
+    std::memcpy(&some, first, sizeof(some));
+    if (some != same) break;
+  }
+  return std::find_if(first, last, [&](PixelLabel other) { return other != label; });
+}
+
 class Pieces {
  public:
   // `reach` is 1 where pieces join over corners as well, or 0.
@@ -49,8 +61,7 @@ class Pieces {
           std::memchr(row + x, static_cast<int>(label), static_cast<std::size_t>(width - x)));
       if (found == nullptr) break;
       const int first = static_cast<int>(found - row);
-      x = static_cast<int>(
-          std::find_if(found, row + width, [&](PixelLabel other) { return other != label; }) - row);
+      x = static_cast<int>(end_of_run(found, row + width) - row);
       const bool at_edge = y == 0 || y + 1 == silhouette.height() || first == 0 || x == width;
       runs_.push_back({y, first, x, runs_.size(), static_cast<std::size_t>(x - first), at_edge});
     }

@@ -23,6 +23,8 @@ namespace tegata {
 namespace {
 
 constexpr int kLargestPinhole = 30;  // [px]
+// Of the step between hand and room, at the border: shading takes off the rest.
+constexpr double kLeastContrast = 0.4;
 
 Image<float> grey(const CameraImage& picture) {
   const Image<std::uint16_t>& source = picture.values;
@@ -49,8 +51,15 @@ void smooth(Image<float>& image, double sigma_px) {
     cv::GaussianBlur(view, view, {0, 0}, sigma_px, sigma_px, cv::BORDER_REPLICATE);
 }
 
-// Values of the image on a lattice with a stride.
-std::vector<float> lattice(const Image<float>& image, int stride) {
+// The stride of a lattice of about so many pixels.
+int lattice_stride(const Image<float>& image, double count) {
+  return std::max(1, static_cast<int>(std::sqrt(static_cast<double>(image.pixel_count()) / count)));
+}
+
+// Values of the image on a lattice.
+std::vector<float> lattice(const Image<float>& image) {
+  constexpr double kEnough = 8000.0;
+  const int stride = lattice_stride(image, kEnough);
   std::vector<float> values;
   values.reserve(image.pixel_count() / static_cast<std::size_t>(stride * stride) + 1);
   for (int y = stride / 2; y < image.height(); y += stride) {
@@ -106,11 +115,10 @@ double across(int x, int width) { return 2.0 * x / width - 1.0; }
 // The quadratic that fits the pixels below a threshold best, outliers trimmed; nothing where they
 // are too few.
 std::optional<Quadratic> fit_background(const Image<float>& image, double threshold) {
-  constexpr double kEnough = 5000.0;
+  constexpr double kEnough = 2500.0;
   constexpr std::size_t kLeast = 100;
   constexpr double kTrim = 2.5 * 1.4826;  // medians of the absolute residual
-  const int stride =
-      std::max(1, static_cast<int>(std::sqrt(static_cast<double>(image.pixel_count()) / kEnough)));
+  const int stride = lattice_stride(image, kEnough);
   struct Sample {
     Quadratic row;
     double value;
@@ -163,6 +171,15 @@ void flatten(Image<float>& image, double threshold) {
   }
 }
 
+// Marks as hand what is above a threshold, all else as background.
+void above(const Image<float>& image, double threshold, Silhouette& silhouette) {
+  const cv::Mat from(image.height(), image.width(), CV_32F,
+                     // Only read from.
+                     const_cast<float*>(image.values().data()));
+  cv::Mat to(silhouette.height(), silhouette.width(), CV_8U, silhouette.values().data());
+  cv::compare(from, threshold, to, cv::CMP_GT);  // 255 and 0, the labels of both
+}
+
 // What lies above a threshold and what below, by their medians.
 struct Classes {
   double low, high;
@@ -190,6 +207,12 @@ void add(Silhouette& silhouette, const Silhouette& other) {
   }
 }
 
+// Cuts off what is narrower than three pixels, as the blurred rims of what is warmer are.
+void cut_off_rims(Silhouette& silhouette) {
+  cv::Mat view(silhouette.height(), silhouette.width(), CV_8U, silhouette.values().data());
+  cv::morphologyEx(view, view, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
+}
+
 // The edge between a piece of the warm and the rest of it.
 BorderReport edge_of(const Silhouette& piece, const Silhouette& cooler, const Image<float>& image,
                      double noise) {
@@ -201,10 +224,12 @@ BorderReport edge_of(const Silhouette& piece, const Silhouette& cooler, const Im
   return move_border_to_half_height(image, noise, {}, parts);
 }
 
-// Cuts off what is narrower than three pixels, as the blurred rims of what is warmer are.
-void cut_off_rims(Silhouette& silhouette) {
-  cv::Mat view(silhouette.height(), silhouette.width(), CV_8U, silhouette.values().data());
-  cv::morphologyEx(view, view, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
+// Whether a piece ends at an edge all around, as a hand does; a patch of warm cloth fades into the
+// rest of it on most sides.
+bool is_outlined(const Silhouette& piece, const Image<float>& image, double noise) {
+  constexpr double kLeastClear = 0.25;  // of the outline
+  Silhouette whole = piece;
+  return move_border_to_half_height(image, noise, {}, whole).clear_share > kLeastClear;
 }
 
 // The mean value of the image over a silhouette's hand.
@@ -243,7 +268,7 @@ std::optional<double> narrow_to_warmest(const Image<float>& image, double noise,
   if (!(step > kLeastStep * (classes.high - picture.low))) return std::nullopt;
   Silhouette whole = silhouette;
   const BorderReport outline = move_border_to_half_height(image, noise, {}, whole);
-  if (outline.contrast < 0.5 * (picture.high - picture.low)) return std::nullopt;
+  if (outline.contrast < kLeastContrast * (picture.high - picture.low)) return std::nullopt;
   Silhouette warmer = silhouette;
   for (std::size_t i = 0; i < warmer.values().size(); ++i) {
     if (static_cast<double>(image.values()[i]) <= classes.middle()) {
@@ -265,7 +290,7 @@ std::optional<double> narrow_to_warmest(const Image<float>& image, double noise,
     const BorderReport edge = edge_of(piece, cooler, image, noise);
     const bool stands_alone = edge.contrast == 0.0;
     const bool is_edge = edge.contrast > kLeastEdge * step && edge.clear_share > kLeastClear;
-    if (!stands_alone && !is_edge) continue;
+    if ((!stands_alone && !is_edge) || !is_outlined(piece, image, noise)) continue;
     has_edge = has_edge || is_edge;
     largest = std::max(largest, pixels);
     add(kept, piece);
@@ -289,30 +314,28 @@ Silhouette segment_infrared(const CameraImage& picture, const InfraredOptions& o
   // Never less than what rounding to whole counts leaves.
   const double noise = std::max(0.29, pixel_noise(image));
   smooth(image, options.blur_px);
-  constexpr int kStride = 4;
-  std::vector<float> values = lattice(image, kStride);
+  std::vector<float> values = lattice(image);
   flatten(image, otsu_threshold(values));
-  values = lattice(image, kStride);
+  values = lattice(image);
   const Classes classes = split_classes(values, otsu_threshold(values));
 
   Silhouette silhouette(image.width(), image.height(), PixelLabel::background);
-  std::transform(image.values().begin(), image.values().end(), silhouette.values().begin(),
-                 [middle = static_cast<float>(classes.middle())](float value) {
-                   return value > middle ? PixelLabel::hand : PixelLabel::background;
-                 });
+  above(image, classes.middle(), silhouette);
   keep_large_components(silhouette, options.smallest_share);
   const double step =
       narrow_to_warmest(image, noise, classes, silhouette).value_or(classes.high - classes.low);
-  BorderReport border;
-  for (int round = 0; round < 2; ++round) {
+  fill_pinholes(silhouette, kLargestPinhole);
+  BorderReport border = move_border_to_half_height(image, noise, {}, silhouette);
+  constexpr int kMoves = 2;
+  for (int move = 0; move < kMoves; ++move) {
     fill_pinholes(silhouette, kLargestPinhole);
-    border = move_border_to_half_height(image, noise, {}, silhouette);
+    move_border_to_half_height(image, noise, {.shading = Shading::round}, silhouette);
   }
   keep_large_components(silhouette, options.smallest_share);
   fill_pinholes(silhouette, kLargestPinhole);
   // A hand stands out from what is around it: shading fades away, noise has no border of its size.
-  constexpr double kLeastContrast = 6.0;  // times the noise
-  if (border.contrast < std::max(kLeastContrast * noise, 0.5 * step)) {
+  constexpr double kLeastNoise = 6.0;  // times the noise
+  if (border.contrast < std::max(kLeastNoise * noise, kLeastContrast * step)) {
     silhouette = Silhouette(image.width(), image.height(), PixelLabel::background);
     border = {};
   }
