@@ -19,6 +19,8 @@ bool benchmark_closest_point();
 bool benchmark_fit();
 /// B6: the same in many frames at once, with one set of angles.
 bool benchmark_joint();
+/// Thirty frames with one set of angles from near by, hulls first, then contours.
+bool benchmark_refine();
 /// A hand posed with its derivatives.
 bool benchmark_hand();
 /// Silhouettes to 4,000 triangles, step by step.

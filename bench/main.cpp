@@ -19,11 +19,17 @@ using namespace tegata::bench;
 
 constexpr std::pair<std::string_view, bool (*)()> kBenchmarks[] = {
     {"memory", benchmark_memory},  // first: it starts processes, before anything makes threads
-    {"hull", benchmark_hull},         {"isosurface", benchmark_isosurface},
-    {"simplify", benchmark_simplify}, {"closest_point", benchmark_closest_point},
-    {"fit", benchmark_fit},           {"joint", benchmark_joint},
-    {"hand", benchmark_hand},         {"chain", benchmark_chain},
-    {"track", benchmark_track},       {"segmentation", benchmark_segmentation}};
+    {"hull", benchmark_hull},
+    {"isosurface", benchmark_isosurface},
+    {"simplify", benchmark_simplify},
+    {"closest_point", benchmark_closest_point},
+    {"fit", benchmark_fit},
+    {"joint", benchmark_joint},
+    {"hand", benchmark_hand},
+    {"chain", benchmark_chain},
+    {"refine", benchmark_refine},
+    {"track", benchmark_track},
+    {"segmentation", benchmark_segmentation}};
 
 bool run(std::string_view name) {
   for (const auto& [known, benchmark] : kBenchmarks) {

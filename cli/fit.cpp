@@ -29,14 +29,14 @@
 namespace tegata {
 namespace {
 
-/// "auto" (nothing) or a factor.
+/// "auto" (nothing) or a factor; far from 1 it is for a model of a hand, or a machine's.
 std::optional<double> parse_scale(const std::string& value) {
   if (value == "auto") return std::nullopt;
   double factor = 0.0;
   const char* end = value.data() + value.size();
   const auto [last, problem] = std::from_chars(value.data(), end, factor);
-  if (problem != std::errc() || last != end || !(factor >= 0.5 && factor <= 2.0)) {
-    throw CLI::ValidationError("--scale", "got '" + value + "', expected auto or 0.5 to 2");
+  if (problem != std::errc() || last != end || !(factor >= 0.05 && factor <= 20.0)) {
+    throw CLI::ValidationError("--scale", "got '" + value + "', expected auto or 0.05 to 20");
   }
   return factor;
 }

@@ -6,7 +6,8 @@
 # docs/performance.md. With names it runs those alone and prints to the terminal. Wants an idle
 # machine and a few minutes.
 # usage: scripts/bench.sh [NAME]...     NAME: memory, hull, isosurface, simplify, closest_point, fit,
-#                                       joint, hand, chain, track, segmentation
+#                                       joint, hand, chain, refine, track,
+#                                       segmentation
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
