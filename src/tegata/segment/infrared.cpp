@@ -79,9 +79,10 @@ double otsu_threshold(std::vector<float>& values) {
   std::nth_element(values.begin(), low, values.end());
   std::nth_element(low, high, values.end());
   const double start = *low, width = std::max(1e-6, (static_cast<double>(*high) - start) / kBins);
+  const double bins_a_unit = 1.0 / width;
   std::array<double, kBins> histogram = {};
   for (const float value : values) {
-    const double bin = (static_cast<double>(value) - start) / width;
+    const double bin = (static_cast<double>(value) - start) * bins_a_unit;
     histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, kBins - 0.5))] += 1.0;
   }
   double total = 0.0;
