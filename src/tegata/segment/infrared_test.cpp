@@ -247,7 +247,7 @@ TEST(SegmentInfrared, FindsFistsWhereTheDepthSeesThem) {
   const std::filesystem::path folder = std::filesystem::path(TEGATA_DATA_DIR) / "infrared_fists";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
   const cv::Rect region(225, 180, 75, 90);  // around the fist, from the wrist on
-  constexpr int kNear = 700;  // [mm]; what lies behind is beyond 900
+  constexpr int kNear = 700;                // [mm]; what lies behind is beyond 900
   std::vector<double> overlaps;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     std::string name = entry.path().filename().string();
