@@ -54,9 +54,7 @@ Hypothesis leave_out(const FitHand& hand, const FitFrame& frame, std::size_t vie
                      const HandPose& start, const TriangleMesh& object,
                      const FitSchedule& schedule) {
   const FitFrame others = without_view(frame, view);
-  // Twice: what stands about the hand is drawn where each begins, here nearly where it ends.
-  HandPose pose = fit_known(hand, others, start, object, schedule).pose;
-  pose = fit_known(hand, others, pose, object, schedule).pose;
+  HandPose pose = fit_known_from_afar(hand, others, start, object, schedule).pose;
   // The angles were free to move a little; the pose alone is of the frame.
   pose.angles = start.angles;
   const std::vector<double> left = uncovered_distances(hand, frame, pose);

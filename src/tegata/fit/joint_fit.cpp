@@ -81,12 +81,10 @@ void seek_jumps(const FitHand& hand, std::span<const FitFrame* const> frames,
         (expected.translation - poses[f].translation).norm() < kJumpLength * hand.scale) {
       return;
     }
-    // Twice: what stands about the hand is drawn where each begins, here nearly where it ends.
-    const auto fit_from = [&](const HandPose& start) {
-      return fit_known(hand, *frames[f], start, object, options.with_object);
-    };
-    const FrameFit there = fit_from(fit_from({expected, estimate.angles}).pose);
-    const FrameFit here = fit_from({poses[f], estimate.angles});
+    const FrameFit there = fit_known_from_afar(hand, *frames[f], {expected, estimate.angles},
+                                               object, options.with_object);
+    const FrameFit here =
+        fit_known(hand, *frames[f], {poses[f], estimate.angles}, object, options.with_object);
     if (there.report.energy < here.report.energy) {
       estimate.world_from_hand[f] = there.pose.world_from_hand;
     }

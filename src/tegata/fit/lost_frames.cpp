@@ -42,12 +42,10 @@ class LostFrames {
       expected = extrapolated(poses_[next_but_one].world_from_hand, expected);
     }
     const std::shared_ptr<const FitFrame> frame = frames_.frame(f);
-    HandPose pose{expected, grasp_.angles};
-    // Twice: what stands about the hand is drawn where each begins, here nearly where it ends.
-    for (int i = 0; i < 2; ++i) {
-      pose = fit_known(hand_, *frame, pose, grasp_.object, grasp_.schedule).pose;
-      pose.angles = grasp_.angles;
-    }
+    HandPose pose = fit_known_from_afar(hand_, *frame, {expected, grasp_.angles}, grasp_.object,
+                                        grasp_.schedule)
+                        .pose;
+    pose.angles = grasp_.angles;
     const std::vector<double> left = uncovered_distances(hand_, *frame, pose);
     // A view that was left out may have been right: the hand was elsewhere.
     const bool agrees_with_all = *std::max_element(left.begin(), left.end()) <= most_uncovered_;
