@@ -32,6 +32,7 @@ void add_hull_command(CLI::App& program);
 void add_hand_command(CLI::App& program);
 void add_calibration_command(CLI::App& program);
 void add_calibrate_command(CLI::App& program);
+void add_board_command(CLI::App& program);
 void add_segment_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_view_command(CLI::App& program);

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   tegata::add_hand_command(program);
   tegata::add_calibration_command(program);
   tegata::add_calibrate_command(program);
+  tegata::add_board_command(program);
   tegata::add_segment_command(program);
   tegata::add_report_command(program);
   tegata::add_view_command(program);

@@ -25,15 +25,6 @@ constexpr std::array<std::string_view, 21> kDictionaries = {
     "DICT_ARUCO_ORIGINAL", "DICT_APRILTAG_16h5", "DICT_APRILTAG_25h9", "DICT_APRILTAG_36h10",
     "DICT_APRILTAG_36h11"};
 
-int dictionary_number(const std::string& name) {
-  const auto found = std::find(kDictionaries.begin(), kDictionaries.end(), name);
-  if (found == kDictionaries.end()) {
-    throw Error("board: got the dictionary '", name, "', expected one of OpenCV's, as '",
-                kDictionaries.front(), "'");
-  }
-  return static_cast<int>(found - kDictionaries.begin());
-}
-
 // 8 bits of grey, black on white.
 cv::Mat gray_picture(const CameraImage& picture, bool inverted) {
   const CameraImage shown = for_display(picture);
@@ -129,6 +120,15 @@ BoardView detect_circles(const cv::Mat& gray, const Board& board) {
 }
 
 }  // namespace
+
+int dictionary_number(const std::string& name) {
+  const auto found = std::find(kDictionaries.begin(), kDictionaries.end(), name);
+  if (found == kDictionaries.end()) {
+    throw Error("board: got the dictionary '", name, "', expected one of OpenCV's, as '",
+                kDictionaries.front(), "'");
+  }
+  return static_cast<int>(found - kDictionaries.begin());
+}
 
 struct BoardDetector::State {
   Board board;
