@@ -21,7 +21,7 @@ FrameFit fit_known(const FitHand& hand, const FitFrame& frame, const HandPose& s
 FrameFit fit_known_from_afar(const FitHand& hand, const FitFrame& frame, const HandPose& start,
                              const TriangleMesh& object, const FitSchedule& schedule) {
   const FrameFit first = fit_known(hand, frame, start, object, schedule);
-  return fit_known(hand, frame, {first.pose.world_from_hand, start.angles}, object, schedule);
+  return fit_known(hand, frame, first.pose, object, schedule);
 }
 
 Rigid3d extrapolated(const Rigid3d& before, const Rigid3d& last) {

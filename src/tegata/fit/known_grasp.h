@@ -15,8 +15,8 @@ FrameFit fit_known(const FitHand& hand, const FitFrame& frame, const HandPose& s
                    const TriangleMesh& object, const FitSchedule& schedule,
                    AngleDeviations deviations = kKnownDeviations);
 
-/// The same from farther away. Twice, with the angles of the start: what stands about the hand is
-/// drawn where a fit begins, the second time nearly where it ends.
+/// The same from farther away. Twice: what stands about the hand is drawn where a fit begins, the
+/// second time nearly where it ends.
 FrameFit fit_known_from_afar(const FitHand& hand, const FitFrame& frame, const HandPose& start,
                              const TriangleMesh& object, const FitSchedule& schedule);
 
