@@ -171,7 +171,8 @@ Ramp make_ramp(Shading shading) {
   Ramp ramp = {};
   for (std::size_t i = 0; i < ramp.size(); ++i) {
     const double depth = 0.5 * static_cast<double>(i);
-    ramp[i] = shading == Shading::round ? std::sqrt(depth) : depth;
+    // What changes with a constant is nothing.
+    ramp[i] = shading == Shading::none ? 1.0 : shading == Shading::round ? std::sqrt(depth) : depth;
   }
   return ramp;
 }

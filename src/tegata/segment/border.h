@@ -7,9 +7,10 @@
 
 namespace tegata {
 
-/// How a side's values may change with the depth behind the border: evenly, or with its root, as on
-/// a round body that is lit from beside the camera (there the cosine of its slant does).
-enum class Shading { even, round };
+/// How a side's values may change with the depth behind the border: not at all, evenly, or with its
+/// root, as on a round body that is lit from beside the camera (there the cosine of its slant
+/// does).
+enum class Shading { none, even, round };
 
 /// Where around a rough border the two sides' own levels are taken from.
 struct BorderOptions {

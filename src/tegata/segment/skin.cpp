@@ -150,7 +150,8 @@ Silhouette segment_skin(const CameraImage& picture, const SkinOptions& options,
   }
   BorderReport border;
   for (int round = 0; round < 2; ++round) {
-    border = move_border_to_half_height(colours, kNoise, BorderOptions{}, silhouette);
+    // Shadows beside a hand would look like a slope that leads to its colour.
+    border = move_border_to_half_height(colours, kNoise, {.shading = Shading::none}, silhouette);
     clean(silhouette, 3);
     fill_pinholes(silhouette, kLargestSkinPinhole);
   }
