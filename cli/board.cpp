@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "hand_command.h"
 #include "tegata/calibrate/board_drawing.h"
 #include "tegata/pipeline/calibrate_take.h"
 #include "tegata/take/staged_folder.h"
@@ -23,10 +24,9 @@ struct Arguments {
 
 void run(const Arguments& arguments) {
   const BoardDrawing drawing = draw_board(read_board(arguments.board));
-  if (!arguments.force && std::filesystem::exists(arguments.output)) {
-    throw Error(arguments.output, ": it exists already; --force replaces it");
-  }
-  write_file(arguments.output, svg_of(drawing));
+  check_free(arguments.output, arguments.force);
+  write_whole(arguments.output,
+              [&](const std::filesystem::path& file) { write_file(file, svg_of(drawing)); });
   const Eigen::Vector2d sheet = 1000.0 * drawing.sheet;
   if (arguments.common.json) {
     const nlohmann::ordered_json json = {{"board", arguments.output},

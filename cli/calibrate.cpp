@@ -89,9 +89,7 @@ void warn_of_open_directions(const BoardCalibration& found, const Observer& obse
 }
 
 void run(Arguments& arguments) {
-  if (!arguments.force && std::filesystem::exists(arguments.output)) {
-    throw Error(arguments.output, ": it exists already; --force replaces it");
-  }
+  check_free(arguments.output, arguments.force);
   CalibrateTakeOptions& options = arguments.options;
   options.threads = arguments.common.threads;
   options.board_file = arguments.board;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -41,9 +40,7 @@ struct ConvertArguments {
 
 void convert(const ConvertArguments& arguments) {
   const ImportedCalibration imported = import_calibration(arguments.input, arguments.options);
-  if (!arguments.force && std::filesystem::exists(arguments.output)) {
-    throw Error(arguments.output, ": it exists already; --force replaces it");
-  }
+  check_free(arguments.output, arguments.force);
   write_calibration(imported.rig, arguments.output);
   if (arguments.common.json) {
     nlohmann::ordered_json json;

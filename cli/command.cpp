@@ -106,6 +106,12 @@ void add_voxel_option(CLI::App& command, HullOptions& options) {
       ->default_str(fmt::format("{}", 1e3 * options.voxel_size));
 }
 
+void check_free(const std::string& output, bool force) {
+  if (!force && std::filesystem::exists(output)) {
+    throw Error(output, ": it exists already; --force replaces it");
+  }
+}
+
 Side side_from_name(const std::string& name) {
   for (const Side side : {Side::right, Side::left}) {
     if (name == side_name(side)) return side;

@@ -56,6 +56,9 @@ GraspConstraint grasp_constraint_from_name(const std::string& name);
 /// --voxel-mm LENGTH.
 void add_voxel_option(CLI::App& command, HullOptions& options);
 
+/// Throws Error where an output exists and may not be replaced.
+void check_free(const std::string& output, bool force);
+
 /// "right" or "left"; throws Error otherwise.
 Side side_from_name(const std::string& name);
 

@@ -24,14 +24,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// By the example's script; its exit code.
+int make_take(const fs::path& recording, const fs::path& take) {
+  const std::string convert = text(TEGATA_SOURCE_DIR, "/examples/two_cameras/make_take.sh '",
+                                   recording.string(), "' '", take.string(), "' >&2");
+  return std::system(convert.c_str());
+}
+
 TEST(Recordings, TwoVideosOfABareHandAreFitted) {
   const fs::path recording = fs::path(TEGATA_DATA_DIR) / "hand_2cam";
   if (!fs::exists(recording)) GTEST_SKIP() << recording << " is not there";
   const TestFolder folder;
   const fs::path take = folder / "take", result = folder / "result";
-  const std::string convert = text(TEGATA_SOURCE_DIR, "/examples/two_cameras/make_take.sh '",
-                                   recording.string(), "' '", take.string(), "' >&2");
-  ASSERT_EQ(std::system(convert.c_str()), 0);
+  ASSERT_EQ(make_take(recording, take), 0);
 
   const ProgramRun run = run_program({"fit", take.string(), "-o", result.string(), "--quiet",
                                       "--no-report", "--grasp", "free", "--frames", "60:78:6"});
@@ -56,9 +61,7 @@ class TwoCameras : public testing::Test {
     const fs::path recording = fs::path(TEGATA_DATA_DIR) / "hand_2cam";
     if (!fs::exists(recording)) GTEST_SKIP() << recording << " is not there";
     const fs::path take = folder_ / "recording";
-    const std::string convert = text(TEGATA_SOURCE_DIR, "/examples/two_cameras/make_take.sh '",
-                                     recording.string(), "' '", take.string(), "' >&2");
-    ASSERT_EQ(std::system(convert.c_str()), 0);
+    ASSERT_EQ(make_take(recording, take), 0);
     const ProgramRun run = run_program(
         {"segment", take.string(), "-o", take_.string(), "--frames", "30:190:20", "--quiet"});
     ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -3,27 +3,17 @@
 #include "tegata/calibrate/board_detection.h"
 
 #include <algorithm>
-#include <array>
 #include <opencv2/aruco/charuco.hpp>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
-#include <string_view>
 
 #include "tegata/base/error.h"
+#include "tegata/calibrate/charuco_board.h"
 #include "tegata/image/overlay.h"
 
 namespace tegata {
 namespace {
-
-// In the order of OpenCV's numbers.
-constexpr std::array<std::string_view, 21> kDictionaries = {
-    "DICT_4X4_50",         "DICT_4X4_100",       "DICT_4X4_250",       "DICT_4X4_1000",
-    "DICT_5X5_50",         "DICT_5X5_100",       "DICT_5X5_250",       "DICT_5X5_1000",
-    "DICT_6X6_50",         "DICT_6X6_100",       "DICT_6X6_250",       "DICT_6X6_1000",
-    "DICT_7X7_50",         "DICT_7X7_100",       "DICT_7X7_250",       "DICT_7X7_1000",
-    "DICT_ARUCO_ORIGINAL", "DICT_APRILTAG_16h5", "DICT_APRILTAG_25h9", "DICT_APRILTAG_36h10",
-    "DICT_APRILTAG_36h11"};
 
 // 8 bits of grey, black on white.
 cv::Mat gray_picture(const CameraImage& picture, bool inverted) {
@@ -121,15 +111,6 @@ BoardView detect_circles(const cv::Mat& gray, const Board& board) {
 
 }  // namespace
 
-int dictionary_number(const std::string& name) {
-  const auto found = std::find(kDictionaries.begin(), kDictionaries.end(), name);
-  if (found == kDictionaries.end()) {
-    throw Error("board: got the dictionary '", name, "', expected one of OpenCV's, as '",
-                kDictionaries.front(), "'");
-  }
-  return static_cast<int>(found - kDictionaries.begin());
-}
-
 struct BoardDetector::State {
   Board board;
   cv::Ptr<cv::aruco::CharucoBoard> charuco;
@@ -169,10 +150,7 @@ BoardDetector::BoardDetector(const Board& board) : state_(std::make_unique<State
   check_board(board);
   state_->board = board;
   if (board.kind != BoardKind::charuco) return;
-  state_->charuco = cv::aruco::CharucoBoard::create(
-      board.columns, board.rows, static_cast<float>(board.spacing),
-      static_cast<float>(board.marker),
-      cv::aruco::getPredefinedDictionary(dictionary_number(board.dictionary)));
+  state_->charuco = charuco_board(board);
 }
 
 BoardDetector::~BoardDetector() = default;

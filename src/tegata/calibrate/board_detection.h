@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "tegata/calibrate/board.h"
 #include "tegata/image/image.h"
@@ -27,8 +26,5 @@ class BoardDetector {
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// OpenCV's number of a dictionary of markers. Throws Error for a name that is none of them.
-int dictionary_number(const std::string& name);
 
 }  // namespace tegata

@@ -3,10 +3,9 @@
 #include "tegata/calibrate/board_drawing.h"
 
 #include <cmath>
-#include <opencv2/aruco/charuco.hpp>
 #include <sstream>
 
-#include "tegata/calibrate/board_detection.h"
+#include "tegata/calibrate/charuco_board.h"
 
 namespace tegata {
 namespace {
@@ -14,12 +13,8 @@ namespace {
 // OpenCV draws the board in pixels: its squares end at whole ones, its markers nearly.
 void draw_charuco(const Board& board, BoardDrawing& drawing) {
   constexpr int kPixels = 200;  // of a square's side
-  const auto charuco = cv::aruco::CharucoBoard::create(
-      board.columns, board.rows, static_cast<float>(board.spacing),
-      static_cast<float>(board.marker),
-      cv::aruco::getPredefinedDictionary(dictionary_number(board.dictionary)));
   cv::Mat picture;
-  charuco->draw({board.columns * kPixels, board.rows * kPixels}, picture);
+  charuco_board(board)->draw({board.columns * kPixels, board.rows * kPixels}, picture);
   const double pixel = board.spacing / kPixels;
   const auto same_rows = [&](int a, int b) {
     for (int x = 0; x < picture.cols; ++x) {
