@@ -17,8 +17,8 @@ void check_view(const HullView& view) {
   check_camera(view.camera);
   if (view.camera.is_distorted()) {
     throw Error("hull: camera '", view.camera.name,
-                "' has lens distortion, expected undistorted views: undistort() the silhouette and "
-                "take camera.undistorted()");
+                "' has lens distortion, expected undistorted views: Undistortion gives silhouette "
+                "and camera");
   }
   if (view.silhouette.width() != view.camera.width ||
       view.silhouette.height() != view.camera.height) {

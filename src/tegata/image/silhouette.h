@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "tegata/camera/camera.h"
 #include "tegata/image/image.h"
 
 namespace tegata {
@@ -23,10 +22,6 @@ using Silhouette = Image<PixelLabel>;
 
 /// How many pixels carry a label.
 std::size_t count_pixels(const Silhouette& silhouette, PixelLabel label);
-
-/// The silhouette as camera.undistorted() would see it (nearest pixel). What lies outside the
-/// distorted picture is unknown. Throws Error, naming the camera, where the sizes differ.
-Silhouette undistort(const Silhouette& silhouette, const Camera& camera);
 
 /// Pixels that are hand in both over pixels that are hand in either; pixels that are unknown in one
 /// of the two are left out. 0 where neither has a hand pixel.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "tegata/camera/camera.h"
@@ -11,18 +10,23 @@
 
 namespace tegata {
 
-/// undistort() for many pictures of one camera: from which pixel each pixel of
-/// camera.undistorted()'s picture comes is found once.
+/// Silhouettes as a camera without its lens's distortion would see them (nearest pixel). From which
+/// pixel each pixel of its picture comes is found once. Along the edges of a picture of the same
+/// size there may be pixels that the distorted one does not show: those would pass for something
+/// that hides the hand. The picture is cut to what is shown, where that takes a twentieth of its
+/// size at each side at most; they are unknown otherwise.
 class Undistortion {
  public:
   explicit Undistortion(const Camera& camera);
-  /// Throws Error, naming the camera, where the silhouette has another size.
+  /// The camera without distortion, of the size of the pictures that apply() gives.
+  const Camera& camera() const { return ideal_; }
+  /// Throws Error, naming the camera, where the silhouette has another size than the calibration's.
   Silhouette apply(const Silhouette& silhouette) const;
 
  private:
-  std::string camera_name_;
-  int width_, height_;
-  std::vector<std::int32_t> sources_;  // -1: outside; empty where the lens is ideal
+  int width_, height_;                 // of the distorted picture
+  Camera ideal_;                       // of the undistorted one
+  std::vector<std::int32_t> sources_;  // of its pixels; -1: outside; empty where the lens is ideal
 };
 
 }  // namespace tegata

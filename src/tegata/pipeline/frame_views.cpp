@@ -32,7 +32,7 @@ FrameViews frame_views(const Segmenter& segmenter, const TakeFrame& pictures) {
       frame.left_out[camera.name] = "no hand was found in the picture";
       continue;
     }
-    frame.views.push_back({camera.undistorted(), segmenter.undistorted(*silhouettes[c], c)});
+    frame.views.push_back(segmenter.undistorted(*silhouettes[c], c));
   }
   frame.seconds = watch.seconds();
   if (frame.views.size() < kLeastViews) {

@@ -129,8 +129,8 @@ Silhouette Segmenter::segment_picture(const CameraImage& picture, std::size_t ca
   return mask;
 }
 
-Silhouette Segmenter::undistorted(const Silhouette& silhouette, std::size_t camera) const {
-  return undistortions_[camera].apply(silhouette);
+HullView Segmenter::undistorted(const Silhouette& silhouette, std::size_t camera) const {
+  return {undistortions_[camera].camera(), undistortions_[camera].apply(silhouette)};
 }
 
 }  // namespace tegata

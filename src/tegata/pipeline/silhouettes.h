@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tegata/base/observer.h"
+#include "tegata/hull/visual_hull.h"
 #include "tegata/image/silhouette.h"
 #include "tegata/image/undistortion.h"
 #include "tegata/segment/segmentation_report.h"
@@ -33,8 +34,8 @@ class Segmenter {
   /// are one per camera as well; a given mask is sure.
   std::vector<std::optional<Silhouette>> segment(
       const TakeFrame& frame, std::vector<SegmentationReport>* reports = nullptr) const;
-  /// What camera.undistorted() would see.
-  Silhouette undistorted(const Silhouette& silhouette, std::size_t camera) const;
+  /// What the camera would see without its lens's distortion (undistortion.h).
+  HullView undistorted(const Silhouette& silhouette, std::size_t camera) const;
 
  private:
   Silhouette segment_picture(const CameraImage& picture, std::size_t camera,
