@@ -12,14 +12,18 @@ namespace tegata {
 namespace {
 
 std::vector<Eigen::Vector3d> proven_vertices(const TriangleMesh& hull,
-                                             std::vector<Eigen::Vector3d>& normals) {
+                                             std::vector<Eigen::Vector3d>& normals,
+                                             std::vector<Eigen::Vector3d>& unproven) {
   if (hull.normals.size() != hull.vertices.size()) {
     throw Error("hull: got ", hull.normals.size(), " normals for ", hull.vertices.size(),
                 " vertices, expected one each");
   }
   std::vector<Eigen::Vector3d> vertices;
   for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
-    if (!hull.unproven.empty() && hull.unproven[i] != 0) continue;
+    if (!hull.unproven.empty() && hull.unproven[i] != 0) {
+      unproven.push_back(hull.vertices[i]);
+      continue;
+    }
     vertices.push_back(hull.vertices[i]);
     normals.push_back(hull.normals[i]);
   }
@@ -76,7 +80,8 @@ class PairSum {
 
 }  // namespace
 
-HullTarget::HullTarget(const TriangleMesh& hull) : nearest(proven_vertices(hull, normals)) {
+HullTarget::HullTarget(const TriangleMesh& hull)
+    : nearest(proven_vertices(hull, normals, unproven)) {
   constexpr std::size_t kMostSamples = 600;
   const std::size_t count = nearest.points().size();
   for (std::size_t i = 0; i < count; i += 1 + count / kMostSamples) {

@@ -84,8 +84,10 @@ std::vector<HullEnd> hand_ends(const FitHand& hand, const FitFrame& frame) {
   if (!frame.hull) throw Error("start: got a frame without a hull, expected one");
   const std::vector<Eigen::Vector3d>& points = frame.hull->nearest.points();
   std::vector<Eigen::Vector3d> cut;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(cut),
-               [&](const Eigen::Vector3d& point) { return is_cut_off(point, frame.views); });
+  for (const std::vector<Eigen::Vector3d>* some : {&points, &frame.hull->unproven}) {
+    std::copy_if(some->begin(), some->end(), std::back_inserter(cut),
+                 [&](const Eigen::Vector3d& point) { return is_cut_off(point, frame.views); });
+  }
   if (!cut.empty()) return {end_away_from(mean_of(cut), points, hand.scale)};
 
   const Eigen::Vector3d mean = mean_of(points);

@@ -38,6 +38,23 @@ TEST(Start, TheHandIsTheEndThatNoPictureCutsOff) {
   EXPECT_LT((ends[0].direction - Eigen::Vector3d(-1.0, 0.0, 0.0)).norm(), 1e-3);
 }
 
+TEST(Start, AHullThatEndsUnprovenAtAPicturesEdgeIsCutOffThere) {
+  // As above, but where the hull leaves the picture no silhouette shapes it.
+  TriangleMesh rod;
+  for (int i = 0; i <= 200; ++i) {
+    rod.vertices.emplace_back(-0.1 + 0.002 * i, 0.0, 0.0);
+    rod.normals.emplace_back(0.0, 1.0, 0.0);
+    rod.unproven.push_back(i > 100 ? 1 : 0);
+  }
+  FitFrame frame;
+  frame.hull.emplace(rod);
+  const Camera camera = test::orthogonal_rig(0.8)[0];
+  frame.views.push_back(make_fit_view(camera, Silhouette(camera.width, camera.height)));
+  const std::vector<HullEnd> ends = hand_ends(FitHand(test::coarse_hand()), frame);
+  ASSERT_EQ(ends.size(), 1U);
+  EXPECT_LT((ends[0].tip - Eigen::Vector3d(-0.1, 0.0, 0.0)).norm(), 1e-6);
+}
+
 TEST(Start, BothEndsArePossibleWhereNothingIsCutOff) {
   const HandModel& hand = test::coarse_hand();
   const FitFrame frame = test::perfect_frame(hand, test::grasping_pose(0.0), {});
