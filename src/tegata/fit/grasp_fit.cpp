@@ -23,8 +23,9 @@ namespace {
 constexpr double kFollowedEnergyRatio = 1.2;
 // A tracked frame whose energy is so many times the median of those before may be lost.
 constexpr double kLostEnergyRatio = 2.0;
-// With more of the seen hand beside the fitted one [m] the start was probably wrong.
-constexpr double kLikelyUncovered = 4e-4;
+// With more of the seen hand beside the fitted one [m] a beginning may be wrong; with so many times
+// what it left itself in all frames it probably was.
+constexpr double kLikelyUncovered = 4e-4, kWrongBeginningRatio = 2.0;
 // From the normal equations' deviations to true ones: neighbouring residuals are not independent.
 // Chosen with hands of known shape on 15 simulated takes (three grasps, three infrared cameras, ten
 // frames): 64 % of the true angles lie within one. A hand of another shape than the
@@ -46,34 +47,92 @@ struct MeasuredFit {
   double uncovered;  // [m]
 };
 
-// The frames so far, one after the other.
-struct FitsSoFar {
-  void add(const MeasuredFit& measured) {
-    fits.push_back(measured.fit);
-    energies.push_back(measured.fit.report.energy);
-    uncovered.push_back(measured.uncovered);
+std::shared_ptr<const FitFrame> frame_with_hull(const FrameSource& frames, std::size_t f) {
+  std::shared_ptr<const FitFrame> frame = frames.frame(f);
+  if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
+  return frame;
+}
+
+// A frame that was sought from nothing: the others may be found from it on.
+struct Beginning {
+  std::size_t frame;
+  MeasuredFit measured;
+};
+
+Beginning begin_at(const FitHand& hand, const FrameSource& frames, std::size_t f,
+                   const GraspFitOptions& options) {
+  const std::shared_ptr<const FitFrame> frame = frame_with_hull(frames, f);
+  return {f,
+          {hand, *frame,
+           fit_frame_from_nothing(hand, *frame, typical_angles(), options.joint.frame,
+                                  options.threads)}};
+}
+
+// Where the hand was found from nothing, the most likely first: in the first frame, and where that
+// leaves much of the seen hand uncovered in the last and in the middle one as well.
+std::vector<Beginning> find_beginnings(const FitHand& hand, const FrameSource& frames,
+                                       const GraspFitOptions& options, const Observer& observer) {
+  observer.progress("frames", 0, frames.size());
+  std::vector<Beginning> found = {begin_at(hand, frames, 0, options)};
+  if (frames.frame(0)->landmarks) return found;
+  for (const std::size_t f : {frames.size() - 1, frames.size() / 2}) {
+    const Beginning& last = found.back();
+    if (last.frame == f || last.measured.uncovered <= kLikelyUncovered * hand.scale) break;
+    found.push_back(begin_at(hand, frames, f, options));
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Beginning& a, const Beginning& b) {
+    return a.measured.uncovered < b.measured.uncovered;
+  });
+  return found;
+}
+
+// The frames that were followed so far.
+class FollowedFrames {
+ public:
+  FollowedFrames(std::size_t count, const Beginning& beginning) : fits_(count) {
+    set(beginning.frame, beginning.measured);
+  }
+  void set(std::size_t f, const MeasuredFit& measured) {
+    fits_[f] = measured.fit;
+    energies_.push_back(measured.fit.report.energy);
+    uncovered_.push_back(measured.uncovered);
   }
   // Whether a fit has at most so many times the usual energy, and leaves no more uncovered than
   // usual.
   bool is_usual(const FitHand& hand, const MeasuredFit& measured, double energy_ratio) const {
-    return measured.fit.report.energy <= energy_ratio * median(energies) &&
-           measured.uncovered <= most_uncovered(hand, uncovered);
+    return measured.fit.report.energy <= energy_ratio * median(energies_) &&
+           measured.uncovered <= most_uncovered(hand, uncovered_);
+  }
+  // The frames `step` before f (1) or after it (-1): the next one first.
+  std::vector<HandPose> neighbours(std::size_t f, int step) const {
+    std::vector<HandPose> poses;
+    for (int i = 1; i <= 2; ++i) {
+      const auto at = static_cast<std::size_t>(static_cast<int>(f) - i * step);
+      if (at >= fits_.size() || !fits_[at]) break;
+      poses.push_back(fits_[at]->pose);
+    }
+    return poses;
+  }
+  std::vector<FrameFit> fits() const {
+    std::vector<FrameFit> all;
+    for (const std::optional<FrameFit>& fit : fits_) all.push_back(*fit);
+    return all;
   }
 
-  std::vector<FrameFit> fits;
-  std::vector<double> energies, uncovered;
+ private:
+  std::vector<std::optional<FrameFit>> fits_;
+  std::vector<double> energies_, uncovered_;
 };
 
-// A frame after the first: from where the hand was or would be and, where that fits far worse than
-// the frames before did, from nothing: the hand may have been lost.
-MeasuredFit fit_next(const FitHand& hand, const FitFrame& frame, const FitsSoFar& before,
-                     const GraspFitOptions& options) {
-  const HandPose& last = before.fits.back().pose;
+// A frame beside others, `step` beyond the last one: from where the hand was or would be and, where
+// that fits far worse than the frames so far did, from nothing: the hand may have been lost.
+MeasuredFit fit_next(const FitHand& hand, const FitFrame& frame, const FollowedFrames& followed,
+                     std::size_t f, int step, const GraspFitOptions& options) {
+  const std::vector<HandPose> before = followed.neighbours(f, step);
+  const HandPose& last = before.front();
   std::vector<HandPose> starts = {last};
-  if (before.fits.size() > 1) {
-    const HandPose& last_but_one = before.fits[before.fits.size() - 2].pose;
-    starts.push_back(
-        {extrapolated(last_but_one.world_from_hand, last.world_from_hand), last.angles});
+  if (before.size() > 1) {
+    starts.push_back({extrapolated(before[1].world_from_hand, last.world_from_hand), last.angles});
   }
   const AngleDeviations deviations = options.grasp == GraspConstraint::free
                                          ? AngleDeviations(kFreeDeviations)
@@ -84,32 +143,32 @@ MeasuredFit fit_next(const FitHand& hand, const FitFrame& frame, const FitsSoFar
                                            holding(std::move(schedules), last.angles, deviations),
                                            options.threads));
   };
-  const MeasuredFit followed = fit_by({follow_schedule()});
-  if (before.is_usual(hand, followed, kFollowedEnergyRatio)) return followed;
+  const MeasuredFit near = fit_by({follow_schedule()});
+  if (followed.is_usual(hand, near, kFollowedEnergyRatio)) return near;
   const MeasuredFit tracked = fit_by(options.joint.frame);
-  if (before.is_usual(hand, tracked, kLostEnergyRatio)) return tracked;
-  FrameFit found = fit_frame_from_nothing(hand, frame, {last.angles},
-                                          holding(options.joint.frame, last.angles, deviations),
-                                          options.threads);
-  if (found.report.energy >= tracked.fit.report.energy) return tracked;
-  return {hand, frame, std::move(found)};
+  if (followed.is_usual(hand, tracked, kLostEnergyRatio)) return tracked;
+  const MeasuredFit found(
+      hand, frame,
+      fit_frame_from_nothing(hand, frame, {last.angles},
+                             holding(options.joint.frame, last.angles, deviations),
+                             options.threads));
+  return found.fit.report.energy < tracked.fit.report.energy ? found : tracked;
 }
 
-// The fits of all frames one after the other.
-std::vector<FrameFit> fit_in_order(const FitHand& hand, const FrameSource& frames,
-                                   const GraspFitOptions& options, const Observer& observer) {
-  FitsSoFar so_far;
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    const std::shared_ptr<const FitFrame> frame = frames.frame(f);
-    if (!frame->hull) throw Error("grasp fit: got a frame without a hull, expected one for each");
-    observer.progress("frames", f, frames.size());
-    so_far.add(f == 0 ? MeasuredFit(hand, *frame,
-                                    fit_frame_from_nothing(hand, *frame, typical_angles(),
-                                                           options.joint.frame, options.threads))
-                      : fit_next(hand, *frame, so_far, options));
-  }
+// The fits of all frames: from the beginning on to the last one, then back to the first.
+std::vector<FrameFit> fit_outwards(const FitHand& hand, const FrameSource& frames,
+                                   const Beginning& beginning, const GraspFitOptions& options,
+                                   const Observer& observer) {
+  FollowedFrames followed(frames.size(), beginning);
+  std::size_t done = 1;
+  const auto follow = [&](std::size_t f, int step) {
+    observer.progress("frames", done++, frames.size());
+    followed.set(f, fit_next(hand, *frame_with_hull(frames, f), followed, f, step, options));
+  };
+  for (std::size_t f = beginning.frame + 1; f < frames.size(); ++f) follow(f, 1);
+  for (std::size_t f = beginning.frame; f-- > 0;) follow(f, -1);
   observer.progress("frames", frames.size(), frames.size());
-  return so_far.fits;
+  return followed.fits();
 }
 
 HandEstimate median_estimate(const std::vector<FrameFit>& fits) {
@@ -250,14 +309,14 @@ void keep_frames_free(const FitHand& hand, const FrameSource& frames,
   grasp.termination = fits.back().report.termination;
 }
 
-// From the first frame to the last.
-GraspFit fit_forwards(const FitHand& hand, const FrameSource& frames,
-                      const GraspFitOptions& options, const Observer& observer) {
+// All frames from a beginning on.
+GraspFit fit_from(const FitHand& hand, const FrameSource& frames, const Beginning& beginning,
+                  const GraspFitOptions& options, const Observer& observer) {
   GraspFit grasp;
   grasp.poses.resize(frames.size());
   grasp.left_out.resize(frames.size());
   const Stopwatch frame_watch;
-  const std::vector<FrameFit> fits = fit_in_order(hand, frames, options, observer);
+  const std::vector<FrameFit> fits = fit_outwards(hand, frames, beginning, options, observer);
   grasp.frame_seconds = frame_watch.seconds();
   const Stopwatch grasp_watch;
   if (options.grasp == GraspConstraint::free) {
@@ -271,40 +330,17 @@ GraspFit fit_forwards(const FitHand& hand, const FrameSource& frames,
   return grasp;
 }
 
-// The last one first.
-class ReversedFrames final : public FrameSource {
- public:
-  explicit ReversedFrames(const FrameSource& frames) : frames_(frames) {}
-  std::size_t size() const override { return frames_.size(); }
-  std::shared_ptr<const FitFrame> frame(std::size_t i) const override {
-    return frames_.frame(frames_.size() - 1 - i);
-  }
-
- private:
-  const FrameSource& frames_;
-};
-
-GraspFit fit_backwards(const FitHand& hand, const FrameSource& frames,
-                       const GraspFitOptions& options, const Observer& observer) {
-  GraspFit grasp = fit_forwards(hand, ReversedFrames(frames), options, observer);
-  std::reverse(grasp.poses.begin(), grasp.poses.end());
-  std::reverse(grasp.left_out.begin(), grasp.left_out.end());
-  return grasp;
-}
-
-// How much of the seen hand lies beside the fitted one, in the view of each frame where that is
-// most [m]: the mean over frames spread over all.
+// How much of the seen hand lies beside the fitted one in most views [m]: the mean over frames
+// spread over all.
 double uncovered_by(const FitHand& hand, const FrameSource& frames, const GraspFit& grasp,
                     const GraspFitOptions& options) {
   const std::vector<std::size_t> asked = spread(frames.size(), options.most_joint_frames);
-  std::vector<double> most(asked.size(), 0.0);
+  std::vector<double> uncovered(asked.size(), 0.0);
   parallel_for(asked.size(), options.threads, [&](std::size_t i) {
-    const std::shared_ptr<const FitFrame> frame = frames.frame(asked[i]);
-    for (const double distance : uncovered_distances(hand, *frame, grasp.poses[asked[i]])) {
-      most[i] = std::max(most[i], distance);
-    }
+    uncovered[i] = uncovered_in_most(hand, *frames.frame(asked[i]), grasp.poses[asked[i]]);
   });
-  return std::accumulate(most.begin(), most.end(), 0.0) / static_cast<double>(most.size());
+  return std::accumulate(uncovered.begin(), uncovered.end(), 0.0) /
+         static_cast<double>(uncovered.size());
 }
 
 }  // namespace
@@ -315,11 +351,15 @@ GraspFit fit_grasp(const FitHand& hand, const FrameSource& frames, const GraspFi
   if (options.most_joint_frames == 0) {
     throw Error("grasp fit: got no frames for the angles, expected at least one");
   }
-  GraspFit grasp = fit_forwards(hand, frames, options, observer);
-  if (!options.seeks_again || frames.size() == 1 || frames.frame(0)->landmarks) return grasp;
+  const Stopwatch watch;
+  const std::vector<Beginning> beginnings = find_beginnings(hand, frames, options, observer);
+  const double beginning_seconds = watch.seconds();
+  GraspFit grasp = fit_from(hand, frames, beginnings[0], options, observer);
+  grasp.frame_seconds += beginning_seconds;
+  if (!options.seeks_again || beginnings.size() == 1) return grasp;
   const double uncovered = uncovered_by(hand, frames, grasp, options);
-  if (uncovered <= kLikelyUncovered * hand.scale) return grasp;
-  GraspFit other = fit_backwards(hand, frames, options, observer);
+  if (uncovered <= kWrongBeginningRatio * beginnings[0].measured.uncovered) return grasp;
+  GraspFit other = fit_from(hand, frames, beginnings[1], options, observer);
   const double frame_seconds = grasp.frame_seconds + other.frame_seconds;
   const double all_frames_seconds = grasp.all_frames_seconds + other.all_frames_seconds;
   if (uncovered_by(hand, frames, other, options) < uncovered) grasp = std::move(other);

@@ -25,7 +25,7 @@ struct GraspFitOptions {
   /// The angles come from so many frames spread over all; of the others the poses alone are sought,
   /// few by few: more frames are not kept at a time.
   std::size_t most_joint_frames = 40;
-  /// Whether all is done once more from the last frame where the first try may have begun wrong.
+  /// Whether all is done once more from another frame where the first try probably began wrong.
   bool seeks_again = true;
   int threads = 0;
 };
@@ -43,14 +43,16 @@ struct GraspFit {
 };
 
 /// Finds the hand in all frames: the first from its landmarks or, without them, from many poses at
-/// the ends of its hull; each next one from the one before, and from the ends of its hull as well
-/// where that fits far worse than frames did before; then frames spread over all at once with one
-/// set of angles (joint_fit.h), so that frames in which something hides a finger lose their
-/// influence on it; then the others with these angles. Views that contradict the others of their
-/// frame are left out (contradiction.h). Where much of the seen hand lies beside the fitted one and
-/// no landmarks say where it begins, all is done once more from the last frame backwards, and what
-/// covers more of the hand is kept. A soft grasp lets each frame's angles depart from there last.
-/// `frames` must not be empty and each needs a hull; throws Error otherwise.
+/// the ends of its hull, and where that leaves much of the seen hand uncovered, the last and the
+/// middle one as well; from the one that covers most on to the others, each by the one before, and
+/// from the ends of its hull as well where that fits far worse than frames did before; then frames
+/// spread over all at once with one set of angles (joint_fit.h), so that frames in which something
+/// hides a finger lose their influence on it; then the others with these angles. Views that
+/// contradict the others of their frame are left out (contradiction.h). Where much more of the seen
+/// hand lies beside the fitted one than where that began, all is done once more from the second
+/// likeliest frame, and what covers more of the hand is kept. A soft grasp lets each frame's angles
+/// depart from there last. `frames` must not be empty and each needs a hull; throws Error
+/// otherwise.
 GraspFit fit_grasp(const FitHand& hand, const FrameSource& frames, const GraspFitOptions& options,
                    const Observer& observer);
 

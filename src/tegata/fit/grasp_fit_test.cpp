@@ -124,6 +124,27 @@ TEST(GraspFit, StartsWithoutLandmarks) {
   EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[0], truth), 0.004);
 }
 
+TEST(GraspFit, AFirstFrameThatShowsSomethingElseMisleadsNoOther) {
+  const HandModel hand = built_in_hand(HandShape{}, Side::right, {.triangle_count = 600});
+  const HandModel other = built_in_hand(HandShape{}, Side::left, {.triangle_count = 600});
+  const CameraRig rig = test::orthogonal_rig(0.8);
+  std::vector<HandPose> truth;
+  std::vector<FitFrame> frames;
+  for (int f = 0; f < 4; ++f) {
+    truth.push_back(test::grasping_pose(0.15 * f));
+    frames.push_back(test::perfect_frame(f == 0 ? other : hand, truth.back(), rig));
+  }
+  std::vector<const FitFrame*> pointers;
+  for (const FitFrame& frame : frames) pointers.push_back(&frame);
+  GraspFitOptions options;
+  options.grasp = GraspConstraint::free;
+  options.seeks_again = false;
+  const GraspFit fit = fit_grasp(FitHand(hand), GivenFrames(pointers), options, {});
+  for (std::size_t f = 1; f < truth.size(); ++f) {
+    EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[f], truth[f]), 0.005) << f;
+  }
+}
+
 TEST(GraspFit, RefusesNoFramesAndFramesWithoutAHull) {
   const FitHand hand(test::coarse_hand());
   EXPECT_THROW(fit_grasp(hand, GivenFrames({}), {}, {}), Error);

@@ -8,6 +8,7 @@
 #include "tegata/base/parallel.h"
 #include "tegata/fit/contradiction.h"
 #include "tegata/fit/known_grasp.h"
+#include "tegata/fit/support.h"
 #include "tegata/math/median.h"
 
 namespace tegata {
@@ -49,10 +50,11 @@ class LostFrames {
     const std::vector<double> left = uncovered_distances(hand_, *frame, pose);
     // A view that was left out may have been right: the hand was elsewhere.
     const bool agrees_with_all = *std::max_element(left.begin(), left.end()) <= most_uncovered_;
-    if (!agrees_with_all && (!left_out_[f].empty() || median(left) >= uncovered_[f])) return;
+    const double uncovered = uncovered_in_most(hand_, *frame, pose);
+    if (!agrees_with_all && (!left_out_[f].empty() || uncovered >= uncovered_[f])) return;
     poses_[f] = pose;
     left_out_[f].clear();
-    uncovered_[f] = median(left);
+    uncovered_[f] = uncovered;
   }
 
  private:
@@ -72,7 +74,15 @@ class LostFrames {
 }  // namespace
 
 double uncovered_in_most(const FitHand& hand, const FitFrame& frame, const HandPose& pose) {
-  return frame.views.empty() ? 0.0 : median(uncovered_distances(hand, frame, pose));
+  if (frame.views.empty()) return 0.0;
+  const PosedHand posed = hand.posed(pose);
+  std::vector<double> distances = uncovered_distances(hand, frame, pose);
+  for (std::size_t v = 0; v < distances.size(); ++v) {
+    if (silhouette_overlap(hand, posed, frame.views[v]) < kLeastSeenOverlap) {
+      distances[v] = kWhollyUncovered * hand.scale;
+    }
+  }
+  return median(std::move(distances));
 }
 
 double most_uncovered(const FitHand& hand, const std::vector<double>& uncovered) {

@@ -12,7 +12,8 @@
 namespace tegata {
 
 /// How much of the seen hand lies beside the fitted one in most of a frame's views [m]: one view
-/// that lies says nothing of where the hand is.
+/// that lies says nothing of where the hand is. All of it in a view that shows none of the hand
+/// where it was fitted (kLeastSeenOverlap).
 double uncovered_in_most(const FitHand& hand, const FitFrame& frame, const HandPose& pose);
 /// With more than this the hand is probably elsewhere in a frame: far more than in most frames,
 /// whose uncovered_in_most() is given [m]; not empty.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tegata/fit/support.h"
 #include "tegata/fit/test_scene.h"
 #include "tegata/math/so3.h"
 
@@ -48,6 +49,19 @@ TEST(LostFrames, FindTheHandByTheirNeighbours) {
     EXPECT_LT(test::mean_keypoint_distance(hand, poses[f], scene.truth[f]), 0.001) << f;
     EXPECT_TRUE(left_out[f].empty());
   }
+}
+
+// Beside the picture nothing of the seen hand lies on the side of the fitted fingers.
+TEST(LostFrames, AViewThatTheHandIsBesideDoesNotPassForCovered) {
+  const HandModel& hand = test::coarse_hand();
+  const HandPose truth = test::grasping_pose(0.0);
+  FitFrame frame = test::perfect_frame(hand, truth, test::orthogonal_rig(0.8));
+  frame.views.resize(1);
+  HandPose beside = truth;
+  beside.world_from_hand.translation.y() += 0.6;
+  const FitHand fit_hand(hand);
+  EXPECT_LT(uncovered_in_most(fit_hand, frame, truth), 1e-4);
+  EXPECT_DOUBLE_EQ(uncovered_in_most(fit_hand, frame, beside), kWhollyUncovered * fit_hand.scale);
 }
 
 TEST(LostFrames, FoundOnesAreNotTouched) {

@@ -12,8 +12,7 @@ namespace tegata {
 namespace {
 
 constexpr float kNearlyInsidePx = 2.0F;
-// What is uncovered by less may be the picture's noise [px]; more is as bad as this [m].
-constexpr double kLeastUncoveredPx = 1.0, kMostUncovered = 0.02;
+constexpr double kLeastUncoveredPx = 1.0;  // what is uncovered by less may be the picture's noise
 
 bool is_backed(const Eigen::Vector3d& vertex, const std::vector<FitView>& views) {
   bool is_shown = false;
@@ -110,7 +109,7 @@ std::optional<double> uncovered_distance(const FitHand& hand, const PosedHand& p
     if (!wrist.is_finger_side(point.pixel) || view.is_forearm(point.pixel)) continue;
     const double outside_px = -sample_bilinear(inside, point.pixel.x(), point.pixel.y());
     if (outside_px > kLeastUncoveredPx) {
-      sum += std::min(metres_per_px * outside_px, kMostUncovered * hand.scale);
+      sum += std::min(metres_per_px * outside_px, kWhollyUncovered * hand.scale);
     }
     count += 1;
   }

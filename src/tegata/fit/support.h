@@ -23,10 +23,17 @@ std::array<double, kBoneCount> bone_support(const FitHand& hand, const PosedHand
 /// are left out, as are unknown pixels. 0 where nothing overlaps.
 double silhouette_overlap(const FitHand& hand, const PosedHand& posed, const FitView& view);
 
+/// With less overlap than this a view does not show the hand where it is posed: it was found in the
+/// others alone.
+inline constexpr double kLeastSeenOverlap = 0.1;
+
+/// More of a seen hand beside the posed one than this [m] is as bad as this.
+inline constexpr double kWhollyUncovered = 0.02;
+
 /// How far the border of the seen hand lies outside the posed one [m]: the mean, over the border on
 /// the finger side of the wrist, of the distance in the picture at the hand's depth, where it is
-/// more than a pixel and up to 20 mm. Nothing that hides the hand makes it larger. Nothing where no
-/// border is seen there or the view is along the forearm, which looks like hand.
+/// more than a pixel and up to kWhollyUncovered. Nothing that hides the hand makes it larger. Nothing
+/// where no border is seen there or the view is along the forearm, which looks like hand.
 std::optional<double> uncovered_distance(const FitHand& hand, const PosedHand& posed,
                                          const FitView& view);
 

@@ -27,6 +27,7 @@ ResultFrame describe_frame(const FitHand& hand, const HandPose& pose,
   frame.support = bone_support(hand, posed, prepared.frame.views);
   frame.left_out = prepared.left_out;
   double sum = 0.0, uncovered_sum = 0.0;
+  std::size_t seen_by = 0;
   for (const FitView& view : prepared.frame.views) {
     const double overlap = silhouette_overlap(hand, posed, view);
     frame.views.push_back(view.camera.name);
@@ -36,9 +37,12 @@ ResultFrame describe_frame(const FitHand& hand, const HandPose& pose,
       uncovered_sum += *uncovered;
     }
     sum += overlap;
+    if (overlap >= kLeastSeenOverlap) seen_by += 1;
   }
   if (sum < kLeastOverlap * static_cast<double>(frame.views.size())) {
     frame.status = "poor overlap with the silhouettes";
+  } else if (seen_by < 2) {
+    frame.status = "no second camera sees a hand where it is fitted";
   } else if (uncovered_sum >
              kMostUncovered * hand.scale * static_cast<double>(frame.uncovered.size())) {
     frame.status = "the seen hand reaches beyond the fitted one";
