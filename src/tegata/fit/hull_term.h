@@ -17,7 +17,8 @@ struct HullTarget {
   /// Error where none remain.
   explicit HullTarget(const TriangleMesh& hull);
 
-  /// Where nobody knows whether the hull goes on: at the pictures' edges, and behind unknown pixels.
+  /// Where nobody knows whether the hull goes on: at the pictures' edges, and behind unknown
+  /// pixels.
   std::vector<Eigen::Vector3d> unproven;
   std::vector<Eigen::Vector3d> normals;
   NearestPoint nearest;

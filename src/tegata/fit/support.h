@@ -32,8 +32,8 @@ inline constexpr double kWhollyUncovered = 0.02;
 
 /// How far the border of the seen hand lies outside the posed one [m]: the mean, over the border on
 /// the finger side of the wrist, of the distance in the picture at the hand's depth, where it is
-/// more than a pixel and up to kWhollyUncovered. Nothing that hides the hand makes it larger. Nothing
-/// where no border is seen there or the view is along the forearm, which looks like hand.
+/// more than a pixel and up to kWhollyUncovered. Nothing that hides the hand makes it larger.
+/// Nothing where no border is seen there or the view is along the forearm, which looks like hand.
 std::optional<double> uncovered_distance(const FitHand& hand, const PosedHand& posed,
                                          const FitView& view);
 

@@ -13,16 +13,48 @@
 namespace tegata {
 namespace {
 
-// At most so much of the picture's size is cut off at each side.
-constexpr double kMostCutOff = 0.05;
+// Of the distorted picture's size, at each side: what is cut off at most, and what is added.
+constexpr double kMostCutOff = 0.05, kMostAdded = 0.25;
 
-// The pixel of the distorted picture for each of the undistorted one, or -1.
-Image<std::int32_t> sources_of(const Camera& camera) {
-  const LensRange range(camera);
-  Image<std::int32_t> sources(camera.width, camera.height);
-  for (int y = 0; y < camera.height; ++y) {
-    for (int x = 0; x < camera.width; ++x) {
-      const Eigen::Vector2d pixel(x, y);
+// Columns (axis 0) and rows (1) of the undistorted picture, counted as the distorted one's are.
+struct Box {
+  int begin[2], end[2];
+  int size(int axis) const { return end[axis] - begin[axis]; }
+};
+
+Box whole_picture(const Camera& camera) { return {{0, 0}, {camera.width, camera.height}}; }
+
+// The picture and what the lens shows beyond its edges.
+Box widest_box(const Camera& camera, const LensRange& range) {
+  Box box = whole_picture(camera);
+  const int size[2] = {camera.width, camera.height};
+  const auto include = [&](double x, double y) {
+    const Eigen::Vector2d ideal = undistort_pixel(camera, {x, y});
+    if (!ideal.allFinite() || !range.contains(ideal)) return;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double most = kMostAdded * size[axis];
+      const double at = std::clamp(ideal[axis], -most, size[axis] - 1 + most);
+      box.begin[axis] = std::min(box.begin[axis], static_cast<int>(std::ceil(at)));
+      box.end[axis] = std::max(box.end[axis], static_cast<int>(std::floor(at)) + 1);
+    }
+  };
+  for (int x = 0; x < size[0]; ++x) {
+    include(x, 0);
+    include(x, size[1] - 1);
+  }
+  for (int y = 0; y < size[1]; ++y) {
+    include(0, y);
+    include(size[0] - 1, y);
+  }
+  return box;
+}
+
+// For each pixel of a box the one of the distorted picture, or -1.
+Image<std::int32_t> sources_of(const Camera& camera, const LensRange& range, const Box& box) {
+  Image<std::int32_t> sources(box.size(0), box.size(1));
+  for (int y = 0; y < sources.height(); ++y) {
+    for (int x = 0; x < sources.width(); ++x) {
+      const Eigen::Vector2d pixel(x + box.begin[0], y + box.begin[1]);
       const Eigen::Vector2d seen = distort_pixel(camera, pixel);
       const bool is_seen = camera.contains(seen) && range.contains(pixel);
       sources(x, y) = is_seen ? static_cast<int>(std::floor(seen.y() + 0.5)) * camera.width +
@@ -33,29 +65,19 @@ Image<std::int32_t> sources_of(const Camera& camera) {
   return sources;
 }
 
-// The part of a picture that is left when lines that lack sources are cut off its edges, until none
-// lacks any: the whole picture where that took too much.
+// Finds the part of a box in which no pixel lacks a source: cuts lines off its edges, the one that
+// lacks most first.
 class FilledBox {
  public:
-  explicit FilledBox(const Image<std::int32_t>& sources)
-      : sources_(sources), size_{sources.width(), sources.height()}, end_{size_[0], size_[1]} {
+  FilledBox(const Image<std::int32_t>& sources, const Box& box)
+      : sources_(sources), whole_(box), filled_(box) {
     while (cut_off_worst()) {
     }
-    for (int axis = 0; axis < 2; ++axis) {
-      const double most = kMostCutOff * size_[axis];
-      if (begin_[axis] <= most && size_[axis] - end_[axis] <= most) continue;
-      for (int either = 0; either < 2; ++either) {
-        begin_[either] = 0;
-        end_[either] = size_[either];
-      }
-    }
   }
-
-  int begin(int axis) const { return begin_[axis]; }
-  int end(int axis) const { return end_[axis]; }
+  const Box& box() const { return filled_; }
 
  private:
-  // Cuts off the line at an edge that lacks most; false where none lacks anything.
+  // False where no line at an edge lacks anything.
   bool cut_off_worst() {
     double worst_share = 0.0;
     int *worst = nullptr, inwards = 0;
@@ -67,40 +89,57 @@ class FilledBox {
       inwards = step;
     };
     for (int axis = 0; axis < 2; ++axis) {
-      consider(axis, begin_[axis], begin_[axis], 1);
-      consider(axis, end_[axis] - 1, end_[axis], -1);
+      consider(axis, filled_.begin[axis], filled_.begin[axis], 1);
+      consider(axis, filled_.end[axis] - 1, filled_.end[axis], -1);
     }
     if (worst != nullptr) *worst += inwards;
     return worst != nullptr;
   }
 
-  // Of a column (axis 0) or a row (1) of what is left.
+  // Of a column or a row of what is left.
   double missing_share(int axis, int line) const {
     const int along = 1 - axis;
     int missing = 0;
-    for (int i = begin_[along]; i < end_[along]; ++i) {
-      missing += (axis == 0 ? sources_(line, i) : sources_(i, line)) < 0 ? 1 : 0;
+    for (int i = filled_.begin[along]; i < filled_.end[along]; ++i) {
+      const int x = (axis == 0 ? line : i) - whole_.begin[0];
+      const int y = (axis == 0 ? i : line) - whole_.begin[1];
+      missing += sources_(x, y) < 0 ? 1 : 0;
     }
-    return missing == 0 ? 0.0 : static_cast<double>(missing) / (end_[along] - begin_[along]);
+    return missing == 0 ? 0.0 : static_cast<double>(missing) / filled_.size(along);
   }
 
   const Image<std::int32_t>& sources_;
-  int size_[2], begin_[2] = {0, 0}, end_[2];
+  const Box whole_;
+  Box filled_;
 };
+
+bool cuts_off_too_much(const Box& box, const Camera& camera) {
+  const int size[2] = {camera.width, camera.height};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double most = kMostCutOff * size[axis];
+    if (box.begin[axis] > most || size[axis] - box.end[axis] > most) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
 Undistortion::Undistortion(const Camera& camera)
     : width_(camera.width), height_(camera.height), ideal_(camera.undistorted()) {
   if (!camera.is_distorted()) return;
-  const Image<std::int32_t> sources = sources_of(camera);
-  const FilledBox box(sources);
-  ideal_.width = box.end(0) - box.begin(0);
-  ideal_.height = box.end(1) - box.begin(1);
-  ideal_.cx -= box.begin(0);
-  ideal_.cy -= box.begin(1);
-  for (int y = box.begin(1); y < box.end(1); ++y) {
-    for (int x = box.begin(0); x < box.end(0); ++x) sources_.push_back(sources(x, y));
+  const LensRange range(camera);
+  const Box widest = widest_box(camera, range);
+  const Image<std::int32_t> sources = sources_of(camera, range, widest);
+  Box box = FilledBox(sources, widest).box();
+  if (cuts_off_too_much(box, camera)) box = whole_picture(camera);
+  ideal_.width = box.size(0);
+  ideal_.height = box.size(1);
+  ideal_.cx -= box.begin[0];
+  ideal_.cy -= box.begin[1];
+  for (int y = box.begin[1]; y < box.end[1]; ++y) {
+    for (int x = box.begin[0]; x < box.end[0]; ++x) {
+      sources_.push_back(sources(x - widest.begin[0], y - widest.begin[1]));
+    }
   }
 }
 

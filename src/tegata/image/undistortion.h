@@ -11,10 +11,11 @@
 namespace tegata {
 
 /// Silhouettes as a camera without its lens's distortion would see them (nearest pixel). From which
-/// pixel each pixel of its picture comes is found once. Along the edges of a picture of the same
-/// size there may be pixels that the distorted one does not show: those would pass for something
-/// that hides the hand. The picture is cut to what is shown, where that takes a twentieth of its
-/// size at each side at most; they are unknown otherwise.
+/// pixel each pixel of its picture comes is found once. That picture is as large as the distorted
+/// one fills it: what a barrel shows beyond its edges is added, up to a quarter of its size at each
+/// side, and edges that a pincushion leaves empty are cut off, up to a twentieth, since they would
+/// pass for something that hides the hand. Where that is not enough, the picture keeps its size and
+/// what the distorted one does not show is unknown.
 class Undistortion {
  public:
   explicit Undistortion(const Camera& camera);

@@ -36,10 +36,13 @@ TEST(Undistortion, UndistortedPixelsComeFromWhereTheLensPutThem) {
       if (in_disk(undistort_pixel(camera, {x, y})) < 20.0) seen(x, y) = PixelLabel::hand;
     }
   }
-  const Silhouette ideal = Undistortion(camera).apply(seen);
-  for (int y = 0; y < camera.height; ++y) {
-    for (int x = 0; x < camera.width; ++x) {
-      const double distance = in_disk(Eigen::Vector2d(x, y));
+  const Undistortion undistortion(camera);
+  const Silhouette ideal = undistortion.apply(seen);
+  const Eigen::Vector2d shift(camera.cx - undistortion.camera().cx,
+                              camera.cy - undistortion.camera().cy);
+  for (int y = 0; y < ideal.height(); ++y) {
+    for (int x = 0; x < ideal.width(); ++x) {
+      const double distance = in_disk(Eigen::Vector2d(x, y) + shift);
       if (distance < 19.0) {
         EXPECT_EQ(ideal(x, y), PixelLabel::hand) << x << ' ' << y;
       }
@@ -58,6 +61,25 @@ TEST(Undistortion, WhatTheDistortedPictureDoesNotShowIsUnknown) {
   EXPECT_EQ(ideal(0, 0), PixelLabel::unknown);
   EXPECT_EQ(ideal(159, 119), PixelLabel::unknown);
   EXPECT_EQ(ideal(80, 60), PixelLabel::hand);
+}
+
+TEST(Undistortion, AHandAtTheEdgeOfABarrelsPictureIsNotLost) {
+  const Camera camera = barrel_camera();
+  Silhouette seen(camera.width, camera.height);
+  for (int y = 40; y < 80; ++y) {
+    for (int x = 0; x < 12; ++x) seen(x, y) = PixelLabel::hand;
+  }
+  const Undistortion undistortion(camera);
+  const Silhouette ideal = undistortion.apply(seen);
+  EXPECT_EQ(count_pixels(ideal, PixelLabel::unknown), 0U);
+  // The outermost column of the lens's picture, half way up, is in this one.
+  const Eigen::Vector2d edge = undistort_pixel(camera, {1.0, 60.0});
+  ASSERT_LT(edge.x(), -5.0);
+  const Camera& wide = undistortion.camera();
+  const Eigen::Vector2d there = edge + Eigen::Vector2d(wide.cx - camera.cx, wide.cy - camera.cy);
+  ASSERT_TRUE(wide.contains(there));
+  EXPECT_EQ(ideal(static_cast<int>(there.x() + 0.5), static_cast<int>(there.y() + 0.5)),
+            PixelLabel::hand);
 }
 
 TEST(Undistortion, NoStripAtAnEdgeHidesTheHand) {
