@@ -23,8 +23,8 @@ namespace {
 constexpr double kFollowedEnergyRatio = 1.2;
 // A tracked frame whose energy is so many times the median of those before may be lost.
 constexpr double kLostEnergyRatio = 2.0;
-// With more of the seen hand beside the fitted one [m] a beginning may be wrong; with so many times
-// what it left itself in all frames it probably was.
+// With more of the seen hand beside the fitted one [m] a beginning may be wrong; with more than
+// this and so many times what it left itself in all frames it probably was.
 constexpr double kLikelyUncovered = 4e-4, kWrongBeginningRatio = 2.0;
 // From the normal equations' deviations to true ones: neighbouring residuals are not independent.
 // Chosen with hands of known shape on 15 simulated takes (three grasps, three infrared cameras, ten
@@ -330,14 +330,19 @@ GraspFit fit_from(const FitHand& hand, const FrameSource& frames, const Beginnin
   return grasp;
 }
 
-// How much of the seen hand lies beside the fitted one in most views [m]: the mean over frames
-// spread over all.
+// How much of the seen hand lies beside the fitted one in the view of each frame where that is most
+// [m]: the mean over frames spread over all.
 double uncovered_by(const FitHand& hand, const FrameSource& frames, const GraspFit& grasp,
                     const GraspFitOptions& options) {
   const std::vector<std::size_t> asked = spread(frames.size(), options.most_joint_frames);
   std::vector<double> uncovered(asked.size(), 0.0);
   parallel_for(asked.size(), options.threads, [&](std::size_t i) {
-    uncovered[i] = uncovered_in_most(hand, *frames.frame(asked[i]), grasp.poses[asked[i]]);
+    const std::shared_ptr<const FitFrame> frame = frames.frame(asked[i]);
+    const HandPose& pose = grasp.poses[asked[i]];
+    uncovered[i] = uncovered_in_most(hand, *frame, pose);
+    for (const double distance : uncovered_distances(hand, *frame, pose)) {
+      uncovered[i] = std::max(uncovered[i], distance);
+    }
   });
   return std::accumulate(uncovered.begin(), uncovered.end(), 0.0) /
          static_cast<double>(uncovered.size());
@@ -352,13 +357,18 @@ GraspFit fit_grasp(const FitHand& hand, const FrameSource& frames, const GraspFi
     throw Error("grasp fit: got no frames for the angles, expected at least one");
   }
   const Stopwatch watch;
-  const std::vector<Beginning> beginnings = find_beginnings(hand, frames, options, observer);
+  std::vector<Beginning> beginnings = find_beginnings(hand, frames, options, observer);
   const double beginning_seconds = watch.seconds();
   GraspFit grasp = fit_from(hand, frames, beginnings[0], options, observer);
   grasp.frame_seconds += beginning_seconds;
-  if (!options.seeks_again || beginnings.size() == 1) return grasp;
+  if (!options.seeks_again || frames.size() == 1 || frames.frame(0)->landmarks) return grasp;
   const double uncovered = uncovered_by(hand, frames, grasp, options);
-  if (uncovered <= kWrongBeginningRatio * beginnings[0].measured.uncovered) return grasp;
+  const double usual = std::max(kLikelyUncovered * hand.scale,
+                                kWrongBeginningRatio * beginnings[0].measured.uncovered);
+  if (uncovered <= usual) return grasp;
+  if (beginnings.size() == 1) {
+    beginnings.push_back(begin_at(hand, frames, frames.size() - 1, options));
+  }
   GraspFit other = fit_from(hand, frames, beginnings[1], options, observer);
   const double frame_seconds = grasp.frame_seconds + other.frame_seconds;
   const double all_frames_seconds = grasp.all_frames_seconds + other.all_frames_seconds;
