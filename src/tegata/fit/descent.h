@@ -63,4 +63,40 @@ Descent descend(const Problem& problem, int most_iterations, Estimate& estimate,
   return descent;
 }
 
+/// Goes on by Gauss-Newton steps whether they lower the energy or not, to where they end: closest
+/// points and outlines change from step to step, so that the energy has small jumps, and a descent
+/// ends before any of them, wherever it came from. What the steps weigh has smaller ones. Where a
+/// step turns back, it and the next ones are taken in part. Stays where the descent has ended if
+/// the energy rises by more than jumps do. A problem has, beside what descend() asks for,
+///   turns_back(step, step before) and shortened(step, factor).
+template <typename Problem, typename Estimate, typename Linearisation>
+Descent settle(const Problem& problem, int most_steps, Estimate& estimate, Linearisation& current) {
+  constexpr double kDamping = 1e-3;
+  constexpr double kShorter = 0.6, kLonger = 1.2;
+  constexpr double kMostRise = 1.2;
+  Descent descent;
+  Estimate trial = estimate;
+  Linearisation ahead = current;
+  double factor = 1.0;
+  auto before = problem.step(ahead, kDamping);
+  while (descent.iterations < most_steps) {
+    ++descent.iterations;
+    auto step = problem.step(ahead, kDamping);
+    factor = problem.turns_back(step, before) ? kShorter * factor : std::min(1.0, kLonger * factor);
+    before = step;
+    step = problem.shortened(std::move(step), factor);
+    trial = problem.advanced(trial, step);
+    ahead = problem.linearise(trial);
+    if (problem.is_negligible(step)) {
+      descent.termination = Termination::converged;
+      break;
+    }
+  }
+  if (ahead.energy() <= kMostRise * current.energy()) {
+    estimate = std::move(trial);
+    current = std::move(ahead);
+  }
+  return descent;
+}
+
 }  // namespace tegata

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "tegata/base/parallel.h"
 #include "tegata/math/so3.h"
@@ -16,14 +17,16 @@ constexpr double kLengthTolerance = 2e-5;  // largest shift of a step that is no
 
 // A frame's terms in parts: one for each view, then what is known in space.
 std::size_t part_count(const FitFrame& frame, const FitStage& stage) {
-  return (stage.contour ? frame.views.size() : 0) + 1;
+  return (stage.contour || stage.border ? frame.views.size() : 0) + 1;
 }
 
 void add_part(const FitHand& hand, const PosedHand& posed, const FitFrame& frame,
               const FitStage& stage, std::size_t part, FrameEquations& equations,
               const ShapeMotion* shape) {
   if (part + 1 < part_count(frame, stage)) {
-    add_contour_term(hand, posed, frame.views[part], *stage.contour, equations, shape);
+    const FitView& view = frame.views[part];
+    if (stage.contour) add_contour_term(hand, posed, view, *stage.contour, equations, shape);
+    if (stage.border) add_border_term(hand, posed, view, *stage.border, equations);
     return;
   }
   if (stage.hull && frame.hull) {
@@ -96,6 +99,12 @@ struct Problem {
   HandEstimate advanced(const HandEstimate& estimate, const ArrowStep& step) const {
     return tegata::advanced(estimate, step);
   }
+  bool turns_back(const ArrowStep& step, const ArrowStep& before) const {
+    return step.angles.dot(before.angles) < 0.0;
+  }
+  ArrowStep shortened(ArrowStep step, double factor) const {
+    return tegata::shortened(std::move(step), factor);
+  }
 };
 
 }  // namespace
@@ -166,6 +175,11 @@ SolverReport minimise(const FitHand& hand, std::span<const FitFrame* const> fram
   SolverReport report;
   report.iterations = descent.iterations;
   report.termination = descent.termination;
+  if (stage.settling_steps > 0) {
+    const Descent settled = settle(problem, stage.settling_steps, estimate, current);
+    report.iterations += settled.iterations;
+    report.termination = settled.termination;
+  }
   report.energy = current.energy();
   for (const FrameEquations& frame : current.frames) report.frame_energies.push_back(frame.cost);
   report.angle_covariance = ArrowSystem(current.frames, current.prior).angle_covariance();

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "tegata/fit/border_term.h"
 #include "tegata/fit/contour_term.h"
 #include "tegata/fit/descent.h"
 #include "tegata/fit/fit_frame.h"
@@ -35,10 +36,12 @@ struct HandEstimate {
 struct FitStage {
   std::optional<HullTermOptions> hull;
   std::optional<ContourTermOptions> contour;
+  std::optional<BorderTermOptions> border;
   std::optional<LandmarkTermOptions> landmarks;
   PriorTermOptions prior;
   PenetrationTermOptions penetration;
   int most_iterations = 20;
+  int settling_steps = 0;  ///< at most so many after these, see settle() (descent.h)
 };
 
 struct SolverReport {
@@ -51,7 +54,7 @@ struct SolverReport {
 };
 
 /// The terms of one frame with the hand in a pose there. With a `shape`, equations are by that as
-/// well, but for those of the landmarks.
+/// well, but for those of the borders and the landmarks.
 void add_frame_terms(const FitHand& hand, const PosedHand& posed, const FitFrame& frame,
                      const FitStage& stage, FrameEquations& equations,
                      const ShapeMotion* shape = nullptr);

@@ -47,6 +47,25 @@ TEST(Solver, ASceneTenTimesAsLargeHasTheSameAnswer) {
       0.005);
 }
 
+TEST(Solver, SettlesAtTheSamePlaceFromWhereverItBegins) {
+  const HandModel& hand = test::coarse_hand();
+  const FitHand fit_hand(hand);
+  const HandPose truth = test::grasping_pose(0.3);
+  const FitFrame frame = test::perfect_frame(hand, truth, test::orthogonal_rig(0.8));
+  FitStage stage;
+  stage.border = BorderTermOptions{.weight = 30.0};
+  stage.most_iterations = 0;
+  stage.settling_steps = 30;
+  std::vector<JointAngles> ends;
+  for (const double turn : {-0.0175, 0.0, 0.0175}) {  // a degree
+    HandPose start = truth;
+    for (int k = 0; k < kAngleCount; ++k) start.angles[k] += k % 2 == 0 ? turn : -turn;
+    ends.push_back(fit_frame(fit_hand, frame, start, {{stage}}).pose.angles);
+  }
+  EXPECT_LT((ends[0] - ends[1]).cwiseAbs().maxCoeff(), 0.002);
+  EXPECT_LT((ends[2] - ends[1]).cwiseAbs().maxCoeff(), 0.002);
+}
+
 TEST(Solver, TheNumberOfThreadsChangesNoBit) {
   const HandModel& hand = test::coarse_hand();
   const FitHand fit_hand(hand);
