@@ -113,6 +113,16 @@ SolverReport settle(const FitHand& hand, std::span<const FitFrame* const> frames
   return report;
 }
 
+// The last stage of all: where those before it end, jumps of their energy decide. Hulls, which say
+// little beside the outlines, are not asked: their triangles change with the slightest rounding.
+FitStage settling_stage() {
+  FitStage stage;
+  stage.border = BorderTermOptions{.weight = 30.0};  // as the contours have it
+  stage.most_iterations = 0;
+  stage.settling_steps = 20;
+  return stage;
+}
+
 // Leaves views out that contradict the others; true where there were any.
 bool leave_out_contradictions(const FitHand& hand, const TriangleMesh& object,
                               const JointFitOptions& options, AgreeingFrames& agreeing,
@@ -162,6 +172,11 @@ JointFit fit_jointly(const FitHand& hand, AgreeingFrames& agreeing, HandEstimate
     } else if (!is_any && round > 1) {
       break;
     }
+  }
+  if (rounds > 1) {
+    iterations +=
+        minimise(hand, pointers_to(surrounded), settling_stage(), options.threads, estimate)
+            .iterations;
   }
   observer.progress("all frames", rounds, rounds);
   fit.report.iterations = iterations;
