@@ -8,13 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "hand_command.h"
 #include "tegata/calibrate/board_drawing.h"
 #include "tegata/pipeline/calibrate_take.h"
 #include "tegata/take/staged_folder.h"
 
 namespace tegata {
-namespace {
+namespace board_command {
 
 struct Arguments {
   std::string board, output;
@@ -39,9 +38,10 @@ void run(const Arguments& arguments) {
       arguments.output, sheet.x(), sheet.y());
 }
 
-}  // namespace
+}  // namespace board_command
 
 void add_board_command(CLI::App& program) {
+  using namespace board_command;
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       program.add_subcommand("board", "Draw a calibration board in its true size, as SVG");

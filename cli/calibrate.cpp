@@ -16,7 +16,7 @@
 #include "tegata/take/picture_file.h"
 
 namespace tegata {
-namespace {
+namespace calibrate_command {
 
 struct Arguments {
   std::string folder, output, coverage, board, intrinsics;
@@ -115,9 +115,10 @@ void run(Arguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace calibrate_command
 
 void add_calibrate_command(CLI::App& program) {
+  using namespace calibrate_command;
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       program.add_subcommand("calibrate", "Calibrate cameras from pictures of a board");

@@ -15,7 +15,7 @@
 #include "tegata/take/calibration_import.h"
 
 namespace tegata {
-namespace {
+namespace calibration_command {
 
 /// WIDTHxHEIGHT.
 PictureSize parse_size(const std::string& value) {
@@ -161,9 +161,10 @@ void add_check_command(CLI::App& calibration) {
   command->callback([arguments] { check(*arguments); });
 }
 
-}  // namespace
+}  // namespace calibration_command
 
 void add_calibration_command(CLI::App& program) {
+  using namespace calibration_command;
   CLI::App* calibration =
       program.add_subcommand("calibration", "Convert and check the cameras' calibration");
   calibration->require_subcommand(1);

@@ -6,7 +6,6 @@
 
 #include <charconv>
 #include <exception>
-#include <filesystem>
 #include <sstream>
 
 #include "tegata/gltf/hand_gltf.h"
@@ -109,6 +108,24 @@ void add_voxel_option(CLI::App& command, HullOptions& options) {
 void check_free(const std::string& output, bool force) {
   if (!force && std::filesystem::exists(output)) {
     throw Error(output, ": it exists already; --force replaces it");
+  }
+}
+
+void write_whole(const std::filesystem::path& file,
+                 const std::function<void(const std::filesystem::path&)>& write) {
+  const std::filesystem::path partial =
+      file.parent_path() / (".partial-" + file.filename().string());
+  std::error_code ignored;
+  try {
+    write(partial);
+    std::filesystem::rename(partial, file);
+  } catch (const std::exception& problem) {
+    std::filesystem::remove(partial, ignored);
+    std::string message = problem.what();
+    if (const std::size_t at = message.find(partial.string()); at != std::string::npos) {
+      message.replace(at, partial.string().size(), file.string());
+    }
+    throw Error(message);
   }
 }
 

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -58,6 +60,10 @@ void add_voxel_option(CLI::App& command, HullOptions& options);
 
 /// Throws Error where an output exists and may not be replaced.
 void check_free(const std::string& output, bool force);
+
+/// Writes a file under another name beside it, which it takes over when whole.
+void write_whole(const std::filesystem::path& file,
+                 const std::function<void(const std::filesystem::path&)>& write);
 
 /// "right" or "left"; throws Error otherwise.
 Side side_from_name(const std::string& name);

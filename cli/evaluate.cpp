@@ -8,7 +8,7 @@
 #include "command.h"
 
 namespace tegata {
-namespace {
+namespace evaluate_command {
 
 struct Arguments {
   std::string result, truth;
@@ -23,9 +23,10 @@ void run(const Arguments& arguments) {
   std::cout << out << (out.ends_with('\n') ? "" : "\n");
 }
 
-}  // namespace
+}  // namespace evaluate_command
 
 void add_evaluate_command(CLI::App& program) {
+  using namespace evaluate_command;
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("evaluate", "Compare a result with the truth");
   command->add_option("RESULT", arguments->result, "Folder that fit made")->required();

@@ -16,7 +16,7 @@
 #include "tegata/take/staged_folder.h"
 
 namespace tegata {
-namespace {
+namespace experiment_command {
 
 namespace fs = std::filesystem;
 
@@ -101,9 +101,10 @@ CLI::App* add_experiment(CLI::App& group, const std::string& name, const std::st
   return command;
 }
 
-}  // namespace
+}  // namespace experiment_command
 
 void add_experiment_command(CLI::App& program) {
+  using namespace experiment_command;
   CLI::App* group = program.add_subcommand("experiment", "Measure errors in the virtual room");
   group->require_subcommand(1);
   const auto of_table = std::make_shared<Arguments>();

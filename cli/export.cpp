@@ -8,14 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "hand_command.h"
 #include "tegata/export/export_result.h"
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/hand/scaled_hand.h"
 #include "tegata/take/staged_folder.h"
 
 namespace tegata {
-namespace {
+namespace export_command {
 
 namespace fs = std::filesystem;
 
@@ -74,9 +73,10 @@ void run(const Arguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace export_command
 
 void add_export_command(CLI::App& program) {
+  using namespace export_command;
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       program.add_subcommand("export", "Write a result for robots, animation, OpenSim or NumPy");

@@ -27,7 +27,7 @@
 #include "tegata/take/staged_folder.h"
 
 namespace tegata {
-namespace {
+namespace fit_command {
 
 /// "auto" (nothing) or a factor; far from 1 it is for a model of a hand, or a machine's.
 std::optional<double> parse_scale(const std::string& value) {
@@ -187,9 +187,10 @@ void run(Arguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace fit_command
 
 void add_fit_command(CLI::App& program) {
+  using namespace fit_command;
   const auto arguments = std::make_shared<Arguments>();
   FitTakeOptions& options = arguments->options;
   CLI::App* command = program.add_subcommand("fit", "Fit a hand to a take");

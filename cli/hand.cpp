@@ -12,7 +12,7 @@
 #include "tegata/base/angle.h"
 
 namespace tegata {
-namespace {
+namespace hand_command {
 
 constexpr int kMiddleTip = 12, kIndexKnuckle = 5, kLittleKnuckle = 17;  // keypoints
 
@@ -118,9 +118,10 @@ void run_convert(const ConvertArguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace hand_command
 
 void add_hand_info_command(CLI::App& hand) {
+  using namespace hand_command;
   const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command =
       hand.add_subcommand("info", "Say what a hand is: size, bones, limits, surface");
@@ -131,6 +132,7 @@ void add_hand_info_command(CLI::App& hand) {
 }
 
 void add_hand_convert_command(CLI::App& hand) {
+  using namespace hand_command;
   const auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command =
       hand.add_subcommand("convert", "Write a hand as a skinned glTF with WebXR joint names");
@@ -143,6 +145,7 @@ void add_hand_convert_command(CLI::App& hand) {
 }
 
 void add_hand_command(CLI::App& program) {
+  using namespace hand_command;
   CLI::App* hand =
       program.add_subcommand("hand", "Inspect, convert, pose, draw and personalise hands");
   hand->require_subcommand(1);

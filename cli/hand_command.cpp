@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 
 #include "tegata/base/angle.h"
@@ -163,24 +164,6 @@ void warn_of_limits(const JointAngles& angles) {
                              angle_names()[static_cast<std::size_t>(angle)],
                              angles[angle] / kDegree, limits.lower[angle] / kDegree,
                              limits.upper[angle] / kDegree);
-  }
-}
-
-void write_whole(const std::filesystem::path& file,
-                 const std::function<void(const std::filesystem::path&)>& write) {
-  const std::filesystem::path partial =
-      file.parent_path() / (".partial-" + file.filename().string());
-  std::error_code ignored;
-  try {
-    write(partial);
-    std::filesystem::rename(partial, file);
-  } catch (const std::exception& problem) {
-    std::filesystem::remove(partial, ignored);
-    std::string message = problem.what();
-    if (const std::size_t at = message.find(partial.string()); at != std::string::npos) {
-      message.replace(at, partial.string().size(), file.string());
-    }
-    throw Error(message);
   }
 }
 

@@ -5,8 +5,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,9 +43,5 @@ HandModel load_hand(const HandSource& source, const AngleSource& angles);
 HandPose pose_of(const AngleSource& source, const HandModel& hand);
 /// One line for each angle beyond its limits, on stderr.
 void warn_of_limits(const JointAngles& angles);
-
-/// Writes a file under another name beside it, which it takes over when whole.
-void write_whole(const std::filesystem::path& file,
-                 const std::function<void(const std::filesystem::path&)>& write);
 
 }  // namespace tegata

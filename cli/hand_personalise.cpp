@@ -14,7 +14,7 @@
 #include "tegata/take/hand_shape_file.h"
 
 namespace tegata {
-namespace {
+namespace hand_personalise_command {
 
 struct Arguments {
   std::vector<std::string> takes;
@@ -116,9 +116,10 @@ void run(Arguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace hand_personalise_command
 
 void add_hand_personalise_command(CLI::App& hand) {
+  using namespace hand_personalise_command;
   const auto arguments = std::make_shared<Arguments>();
   PersonaliseOptions& options = arguments->options;
   CLI::App* command = hand.add_subcommand(

@@ -15,7 +15,7 @@
 #include "tegata/take/picture_file.h"
 
 namespace tegata {
-namespace {
+namespace hand_pose_command {
 
 struct PoseArguments {
   HandSource source;
@@ -102,9 +102,10 @@ void run_picture(const PictureArguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace hand_pose_command
 
 void add_hand_pose_command(CLI::App& hand) {
+  using namespace hand_pose_command;
   const auto arguments = std::make_shared<PoseArguments>();
   CLI::App* command = hand.add_subcommand(
       "pose", "Bend a hand: its surface as PLY or OBJ, or GLB with the pose as an animation");
@@ -118,6 +119,7 @@ void add_hand_pose_command(CLI::App& hand) {
 }
 
 void add_hand_picture_command(CLI::App& hand) {
+  using namespace hand_pose_command;
   const auto arguments = std::make_shared<PictureArguments>();
   CLI::App* command = hand.add_subcommand("picture", "Draw a hand from several sides");
   add_hand_source(*command, arguments->source);

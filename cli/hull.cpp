@@ -16,7 +16,7 @@
 #include "tegata/take/staged_folder.h"
 
 namespace tegata {
-namespace {
+namespace hull_command {
 
 constexpr const char* kSummaryFile = "hulls.json";
 
@@ -146,9 +146,10 @@ void run(Arguments& arguments) {
   std::cout << fmt::format("{} of {} hulls in {}\n", made, frames.size(), arguments.folder);
 }
 
-}  // namespace
+}  // namespace hull_command
 
 void add_hull_command(CLI::App& program) {
+  using namespace hull_command;
   const auto arguments = std::make_shared<Arguments>();
   HullTakeOptions& options = arguments->options;
   CLI::App* command = program.add_subcommand("hull", "Visual hulls of a take, without a hand");

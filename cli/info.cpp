@@ -13,7 +13,7 @@
 #include "tegata/base/angle.h"
 
 namespace tegata {
-namespace {
+namespace info_command {
 
 struct Arguments {
   std::string folder;
@@ -128,9 +128,10 @@ void run(const Arguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace info_command
 
 void add_info_command(CLI::App& program) {
+  using namespace info_command;
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("info", "Say what a take or a result holds");
   command->add_option("FOLDER", arguments->folder, "A take or a result")->required();

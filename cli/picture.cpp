@@ -12,7 +12,6 @@
 #include <optional>
 
 #include "command.h"
-#include "hand_command.h"
 #include "hand_view.h"
 #include "progress.h"
 #include "tegata/hand/scaled_hand.h"
@@ -23,7 +22,7 @@
 #include "turning_hand.h"
 
 namespace tegata {
-namespace {
+namespace picture_command {
 
 constexpr int kGutter = 6;          // between pictures [px]
 constexpr int kAnyWidth = 1 << 30;  // of overlays that are cut out afterwards
@@ -201,9 +200,10 @@ void run(const Arguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace picture_command
 
 void add_picture_command(CLI::App& program) {
+  using namespace picture_command;
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
       "picture",

@@ -20,7 +20,7 @@
 #include "tegata/pipeline/silhouettes.h"
 
 namespace tegata {
-namespace {
+namespace report_command {
 
 namespace fs = std::filesystem;
 
@@ -114,10 +114,10 @@ void run(const Arguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace report_command
 
 void write_report(const Result& result, const HandModel& hand, ReportSource source,
-                  const fs::path& file, const Observer& observer) {
+                  const std::filesystem::path& file, const Observer& observer) {
   ReportContent content{result, hand, {}, {}, std::move(source.hulls)};
   if (source.take != nullptr) {
     Take& take = *source.take;
@@ -131,6 +131,7 @@ void write_report(const Result& result, const HandModel& hand, ReportSource sour
 }
 
 void add_report_command(CLI::App& program) {
+  using namespace report_command;
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
       "report", "Make the report page of a result anew: one file for any browser");

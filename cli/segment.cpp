@@ -15,7 +15,7 @@
 #include "tegata/take/staged_folder.h"
 
 namespace tegata {
-namespace {
+namespace segment_command {
 
 constexpr const char* kSummaryFile = "silhouettes.json";
 constexpr const char* kSheetFile = "contact_sheet.png";
@@ -89,9 +89,10 @@ void run(Arguments& arguments) {
                            arguments.folder);
 }
 
-}  // namespace
+}  // namespace segment_command
 
 void add_segment_command(CLI::App& program) {
+  using namespace segment_command;
   const auto arguments = std::make_shared<Arguments>();
   SegmentTakeOptions& options = arguments->options;
   CLI::App* command =

@@ -12,7 +12,7 @@
 #include "tegata/sim/virtual_room.h"
 
 namespace tegata {
-namespace {
+namespace simulate_command {
 
 struct Arguments {
   std::string take, grasp = "cylinder", mode = "infrared", hand = "right", side;
@@ -71,9 +71,10 @@ void run(Arguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace simulate_command
 
 void add_simulate_command(CLI::App& program) {
+  using namespace simulate_command;
   const auto arguments = std::make_shared<Arguments>();
   SimulationOptions& room = arguments->room;
   CLI::App* command = program.add_subcommand(

@@ -16,7 +16,7 @@
 #include "tegata/export/viewer_page.h"
 
 namespace tegata {
-namespace {
+namespace view_command {
 
 namespace fs = std::filesystem;
 
@@ -72,9 +72,10 @@ void run(const Arguments& arguments) {
   }
 }
 
-}  // namespace
+}  // namespace view_command
 
 void add_view_command(CLI::App& program) {
+  using namespace view_command;
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("view", "Open the report page of a result");
   command->add_option("RESULT", arguments->result, "Folder that fit made, or a report page")
