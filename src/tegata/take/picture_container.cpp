@@ -47,6 +47,15 @@ std::uint32_t crc32(std::string_view bytes) {
   return ~c;
 }
 
+// No camera has more pixels; a few damaged bytes may claim a thousand times as many.
+void check_extent(std::uint64_t width, std::uint64_t height) {
+  constexpr std::uint64_t kMostPixels = 1u << 26;
+  if (width > 0 && height > kMostPixels / width) {
+    throw Error("got a picture of ", width, " x ", height, " pixels, expected at most ",
+                kMostPixels);
+  }
+}
+
 // The chunk that starts at `at`, with its frame; checks that it lies within the file.
 std::string_view png_chunk(std::string_view bytes, std::size_t at) {
   const std::size_t size = number_at(bytes, at, 4) + kPngChunkFrame;
@@ -67,9 +76,15 @@ void check_png(std::string_view bytes) {
         !(type_and_content.starts_with("IHDR") && chunk.size() == 25)) {
       throw Error("the file is damaged: a PNG without a header");
     }
+    if (at == kPngSignature.size()) check_extent(number_at(chunk, 8, 4), number_at(chunk, 12, 4));
     if (type_and_content.starts_with("IEND")) return;
     at += chunk.size();
   }
+}
+
+// Of any coding process: tables and a reserved marker lie between (ITU-T T.81, table B.1).
+bool is_frame_header(std::uint32_t marker) {
+  return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
 }
 
 // ITU-T T.81, annex B.
@@ -87,6 +102,8 @@ void check_jpeg(std::string_view bytes) {
     }
     at += 2;
     if (marker >= kFirstAlone && marker <= kLastAlone) continue;
+    if (is_frame_header(marker))
+      check_extent(number_at(bytes, at + 5, 2), number_at(bytes, at + 3, 2));
     at += number_at(bytes, at, 2);
     if (marker != kScan) continue;
     // Within the scan 0xff is followed by 0, a restart mark or the next segment.
@@ -113,14 +130,18 @@ class TiffReader {
   void check() const {
     const std::size_t directory = number(4, 4);
     TiffField offsets, sizes;
+    std::uint32_t width = 0, height = 0;
     const std::uint32_t field_count = number(directory, 2);
     for (std::uint32_t i = 0; i < field_count; ++i) {
       const std::size_t at = directory + 2 + 12 * std::size_t{i};
       const std::uint32_t tag = number(at, 2);
+      if (tag == 256) width = value(field(at), 0);
+      if (tag == 257) height = value(field(at), 0);
       if (tag == 273 || tag == 324) offsets = field(at);
       if (tag == 279 || tag == 325) sizes = field(at);
     }
     number(directory + 2 + 12 * std::size_t{field_count}, 4);  // of the next directory
+    check_extent(width, height);
     if (offsets.count == 0 || offsets.count != sizes.count) {
       throw Error("the file is damaged: a TIFF without strips");
     }

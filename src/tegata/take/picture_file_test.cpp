@@ -76,6 +76,30 @@ TEST(PictureFile, ADamagedPngIsNoPicture) {
   EXPECT_TRUE(says(error_of([&] { read_picture(folder / "a.png"); }), "a.png", "damaged"));
 }
 
+// Half a minute and gigabytes went into a picture of which there are some hundred bytes.
+TEST(PictureFile, AHeaderThatClaimsMoreThanAnyCameraHasIsRefused) {
+  const TestFolder folder;
+  const std::string png(
+      "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122"
+      "\000\000\352\140\000\000\352\140\010\000\000\000\000\245\271\052\236",
+      33);
+  write_file(folder / "a.png", png);
+  write_picture(noise(64, 48, 1, 8), folder / "a.jpg");
+  std::string jpeg = read_file(folder / "a.jpg");
+  const std::size_t frame = jpeg.find("\xff\xc0");
+  jpeg.replace(frame + 5, 4, "\x60\x60\x60\x60");
+  write_file(folder / "a.jpg", jpeg);
+  write_picture(noise(64, 48, 1, 8), folder / "a.tif");
+  std::string tiff = read_file(folder / "a.tif");
+  for (const char tag : {'\0', '\1'}) {  // 256 and 257, one number of 16 bits each
+    tiff.replace(tiff.find(std::string{tag, 1, 3, 0, 1, 0, 0, 0}) + 8, 2, "\x60\x60");
+  }
+  write_file(folder / "a.tif", tiff);
+  for (const char* name : {"a.png", "a.jpg", "a.tif"}) {
+    EXPECT_TRUE(says(error_of([&] { read_picture(folder / name); }), name, "expected at most"));
+  }
+}
+
 TEST(PictureFile, ForeignAndMissingFilesAreSaid) {
   const TestFolder folder;
   write_file(folder / "text.png", "this is text");

@@ -122,8 +122,10 @@ VideoFile::VideoFile(std::filesystem::path file) : state_(std::make_unique<State
   check_mp4(state_->file);
   open_capture(state_->capture, state_->file);
   const double count = state_->capture.get(cv::CAP_PROP_FRAME_COUNT);
-  // Streams without an index give a negative number.
-  if (count >= 1.0 && count < 1e9) {
+  // Streams without an index give a negative number, damaged headers any. A picture's entry in an
+  // index alone takes more than four bytes.
+  const double most = static_cast<double>(std::filesystem::file_size(state_->file)) / 4.0;
+  if (count >= 1.0 && count <= most) {
     state_->frame_count = static_cast<std::size_t>(std::llround(count));
   } else {
     state_->frame_count = counted_frames(state_->capture);

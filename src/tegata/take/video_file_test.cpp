@@ -91,6 +91,16 @@ TEST(VideoFile, AVideoThatIsCutShortGivesWhatItHas) {
   }
 }
 
+TEST(VideoFile, AHeaderThatClaimsMillionsOfPicturesIsNotBelieved) {
+  const TestFolder folder;
+  std::string avi = motion_jpeg_avi(steps_of_gray(3));
+  avi[avi.find("vidsMJPG") + 35] = '\x2b';  // the last byte of the count
+  write_file(folder / "a.avi", avi);
+  VideoFile video(folder / "a.avi");
+  EXPECT_EQ(video.frame_count(), 3u);
+  EXPECT_NEAR(video.read(2).values(30, 20), 60.0, 3.0);
+}
+
 TEST(VideoFile, FilesThatAreNoVideosAreSaid) {
   const TestFolder folder;
   write_file(folder / "text.avi", "this is text");
