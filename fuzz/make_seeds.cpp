@@ -10,52 +10,25 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
+#include "seed_texts.h"
+#include "tegata/base/text.h"
 #include "tegata/gltf/hand_gltf.h"
 #include "tegata/hand/test_hand.h"
 #include "tegata/mesh/mesh_file.h"
 #include "tegata/take/calibration_file.h"
+#include "tegata/take/hand_shape_file.h"
+#include "tegata/take/picture_file.h"
 #include "tegata/take/result.h"
 #include "tegata/take/staged_folder.h"
 #include "tegata/take/take_info.h"
+#include "tegata/take/test_video.h"
+#include "tegata/take/truth.h"
+#include "tegata/take/write_video.h"
 
 namespace tegata {
 namespace {
-
-// What this project reads and does not write: text, polygons, other properties, comments.
-constexpr const char* kAsciiPly =
-    "ply\nformat ascii 1.0\ncomment a square\nelement vertex 4\nproperty double x\n"
-    "property double y\nproperty double z\nproperty uchar red\nelement face 1\n"
-    "property list uchar uint vertex_index\nelement edge 1\nproperty int vertex1\n"
-    "end_header\n0 0 0 255\n1 0 0 255\n1 1 0 255\n0 1 0 255\n4 0 1 2 3\n7\n";
-
-// The same two cameras as other tools write them, after the byte that says which (see
-// fuzz_calibration_import.cpp).
-constexpr const char* kColmap =
-    "\3# cameras\n1 OPENCV 640 480 700 700 320 240 -0.1 0.01 0 0\n"
-    "2 SIMPLE_RADIAL 640 480 700 320 240 -0.1\n|1 1 0 0 0 0 0 1 1 a.png\n1 2 -1\n"
-    "2 0.7 0 0.714142842854285 0 0 0 1 2 b.png\n\n";
-constexpr const char* kEasyMocap =
-    "\1%YAML:1.0\n---\nnames:\n  - \"01\"\n  - \"02\"\nK_01: !!opencv-matrix\n  rows: 3\n"
-    "  cols: 3\n  dt: d\n  data: [ 700., 0., 320., 0., 700., 240., 0., 0., 1. ]\n"
-    "dist_01: [0, 0, 0, 0, 0]\nR_01: [0.1, 0, 0]\nT_01: [0, 0, 1]\nH_01: 480\nW_01: 640\n"
-    "K_02: [700, 0, 320, 0, 700, 240, 0, 0, 1]\ndist_02: [0, 0, 0, 0, 0]\n"
-    "Rot_02: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nT_02: [0, 0, 1]\n";
-constexpr const char* kKalibr =
-    "\2cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.1, 0, 0, 0]\n"
-    "  distortion_model: equidistant\n  intrinsics: [700, 700, 320, 240]\n"
-    "  resolution: [640, 480]\ncam1:\n  T_cn_cnm1:\n  - [1, 0, 0, 0.1]\n  - [0, 1, 0, 0]\n"
-    "  - [0, 0, 1, 0]\n  - [0, 0, 0, 1]\n  camera_model: pinhole\n"
-    "  distortion_coeffs: [0.1, 0, 0, 0]\n  distortion_model: radtan\n"
-    "  intrinsics: [700, 700, 320, 240]\n  resolution: [640, 480]\n";
-constexpr const char* kOpenCvXml =
-    "\1<?xml version=\"1.0\"?>\n<opencv_storage>\n<!-- two -->\n<a><name>\"left\"</name>"
-    "<image_width>640</image_width><image_height>480</image_height>\n"
-    "<camera_matrix type_id=\"opencv-matrix\"><rows>3</rows><cols>3</cols><dt>d</dt>\n"
-    "<data>700. 0. 320. 0. 700. 240. 0. 0. 1.</data></camera_matrix>\n"
-    "<distortion_coefficients>0 0 0 0</distortion_coefficients><R>0 0 0</R><T>0 0 1</T></a>\n"
-    "<b><K>700. 0. 320. 0. 700. 240. 0. 0. 1.</K><D>0. 0. 0. 0.</D><R>0 0.1 0</R>"
-    "<T><_>0</_><_>0</_><_>1</_></T></b></opencv_storage>\n";
 
 /// A folder of the seeds of one target, made where it is not there.
 std::filesystem::path seeds_of(const std::filesystem::path& folder, const char* target) {
@@ -101,6 +74,69 @@ Result result_of(const HandModel& hand) {
   return result;
 }
 
+/// A text of seed_texts.h.
+void write_seed(std::string content, const std::filesystem::path& file) {
+  const std::size_t bar = content.find('|');
+  if (bar != std::string::npos) content[bar] = '\0';
+  std::ofstream(file, std::ios::binary) << content;
+}
+
+void make_texts(const std::filesystem::path& folder) {
+  write_seed(kColmap, seeds_of(folder, "colmap") / "colmap");
+  const std::filesystem::path easymocap = seeds_of(folder, "easymocap");
+  write_seed(kEasyMocap, easymocap / "one");
+  write_seed(kEasyMocapPair, easymocap / "two");
+  write_seed(kKalibr, seeds_of(folder, "kalibr") / "camchain.yaml");
+  const std::filesystem::path opencv = seeds_of(folder, "opencv");
+  write_seed(kOpenCvXml, opencv / "two.xml");
+  write_seed(kOpenCvJson, opencv / "two.json");
+  write_seed(kOpenCvStereo, opencv / "stereo");
+  const std::filesystem::path board = seeds_of(folder, "board");
+  write_seed(kBoard, board / "board.toml");
+  write_seed(kCaliscopeBoard, board / "charuco.toml");
+}
+
+/// Colour or gray, as large as a few of JPEG's blocks; an even number of pixels, for video.
+CameraImage picture(int channels, int bits) {
+  CameraImage made{Image<std::uint16_t>(24, 18, 0, channels), bits};
+  std::uint32_t value = 0;
+  for (std::uint16_t& v : made.values.values()) {
+    v = static_cast<std::uint16_t>((value += 7u) & (bits == 8 ? 0xffu : 0xffffu));
+  }
+  return made;
+}
+
+void make_pictures(const std::filesystem::path& folder) {
+  const std::filesystem::path pictures = seeds_of(folder, "picture");
+  for (const int channels : {1, 3}) {
+    for (const int bits : {8, 16}) {
+      const std::string stem = text(channels, "-", bits);
+      write_picture(picture(channels, bits), pictures / (stem + ".png"));
+      write_picture(picture(channels, bits), pictures / (stem + ".tif"));
+      if (bits == 8) write_picture(picture(channels, bits), pictures / (stem + ".jpg"));
+    }
+  }
+  const std::filesystem::path videos = seeds_of(folder, "video");
+  const std::vector<CameraImage> three(3, picture(3, 8));
+  std::ofstream(videos / "three.avi", std::ios::binary) << motion_jpeg_avi(three);
+  write_video(videos / "three.mp4", 30.0, three.size(), [&](std::size_t i) { return three[i]; });
+}
+
+/// A mesh beside the seeds is named by where it lies: no bytes hold both.
+void make_scan(const HandModel& hand, const std::filesystem::path& folder) {
+  const std::filesystem::path mesh = std::filesystem::absolute(folder / "scanned_hand.ply");
+  write_ply(hand.rest_surface, mesh);
+  std::string content = text("name = \"scan\"\nmesh = \"", mesh.string(),
+                             "\"\nhand = \"right\"\nmetres_per_unit = 1.0\n[keypoints]\n");
+  const HandPose rest{Rigid3d{}, hand.rest_angles};
+  const auto keypoints = posed_keypoints(hand.skeleton, rest);
+  for (std::size_t k = 0; k < keypoints.size(); ++k) {
+    const Eigen::Vector3d& at = keypoints[k];
+    content += text(keypoint_names()[k], " = [", at.x(), ", ", at.y(), ", ", at.z(), "]\n");
+  }
+  write_seed(content, seeds_of(folder, "scanned_hand") / "scan.toml");
+}
+
 void make_seeds(const std::filesystem::path& folder) {
   const HandModel hand = test_hand();
   const std::filesystem::path glb = seeds_of(folder, "glb");
@@ -113,22 +149,26 @@ void make_seeds(const std::filesystem::path& folder) {
   mesh.unproven.assign(mesh.vertices.size(), 1);
   write_ply(mesh, ply / "hand.ply");
   std::ofstream(ply / "ascii.ply") << kAsciiPly;
+  write_obj(hand.rest_surface, seeds_of(folder, "obj") / "hand.obj");
+  make_scan(hand, folder);
+  make_texts(folder);
+  make_pictures(folder);
 
   write_calibration({camera("left"), camera("right")},
                     seeds_of(folder, "calibration") / "calibration.toml");
-  const std::filesystem::path imports = seeds_of(folder, "calibration_import");
-  std::string colmap = kColmap;
-  colmap[colmap.find('|')] = '\0';
-  std::ofstream(imports / "colmap", std::ios::binary) << colmap;
-  std::ofstream(imports / "easymocap.yml") << kEasyMocap;
-  std::ofstream(imports / "kalibr.yaml") << kKalibr;
-  std::ofstream(imports / "opencv.xml") << kOpenCvXml;
   TakeInfo info;
   info.name = "take";
   info.side = Side::left;
   info.initial_landmarks = InitialLandmarks{{0.0, 0.0, 1.0}, {0.0, 0.1, 1.0}, {0.1, 0.1, 1.0}};
   info.segmentation = SegmentationMethod::infrared;
   write_take_info(info, seeds_of(folder, "take_toml") / "take.toml");
+  write_truth_json(
+      {Side::left, {{"000000", posed_keypoints(hand.skeleton, HandPose{}), JointAngles::Zero()}}},
+      seeds_of(folder, "truth_json") / "truth.json");
+  HandShapeFile shape;
+  shape.name = "somebody";
+  shape.standard_deviations = shape_prior().deviation;
+  write_hand_shape(shape, seeds_of(folder, "hand_shape") / "shape.toml");
   write_result_json(result_of(hand), seeds_of(folder, "result_json") / "result.json");
 }
 
