@@ -125,7 +125,11 @@ void print_check(const TakeCheck& check, const CameraRig& rig) {
   for (const CalibrationProblem& problem : check.calibration.problems) {
     std::cout << "problem: " << problem.message << "\n";
   }
-  if (check.calibration.agrees()) std::cout << "calibration and silhouettes agree\n";
+  if (!check.calibration.agrees()) return;
+  std::cout
+      << (check.calibration.pairs.empty()
+              ? "nothing contradicts the calibration, of which these silhouettes say nothing\n"
+              : "calibration and silhouettes agree\n");
 }
 
 void check(const CheckArguments& arguments) {

@@ -46,6 +46,10 @@ double plane_angle(const Pencil& pencil, const Eigen::Vector3d& direction) {
   return std::atan2(direction.dot(pencil.side), direction.dot(pencil.up));
 }
 
+// What goes on beyond the picture's edge may well reach past a tangent that is this near to where
+// it is cut, as a share of the silhouette's width in the pencil.
+constexpr double kReach = 0.2;
+
 Tangents tangents_of(const Camera& camera, const OutlineRays& outline, const Pencil& pencil) {
   constexpr double kWidest = 120.0 / 180.0 * kPi;  // beyond it the epipole is too near
   constexpr double kLeastLeverage = 0.1;
@@ -53,6 +57,7 @@ Tangents tangents_of(const Camera& camera, const OutlineRays& outline, const Pen
   // Relative to the view's own middle, so that nothing wraps around.
   const double middle = plane_angle(pencil, middle_ray(camera, outline));
   double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low_cut = low, high_cut = high;
   Tangents tangents;
   for (std::size_t i = 0; i < outline.rays.size(); ++i) {
     const Eigen::Vector3d direction = world_from_camera * outline.rays[i];
@@ -62,8 +67,11 @@ Tangents tangents_of(const Camera& camera, const OutlineRays& outline, const Pen
     const auto take = [&](std::size_t end) {
       tangents.angle[end] = middle + angle;
       tangents.leverage[end] = leverage;
-      tangents.cut[end] = outline.cut[i];
     };
+    if (outline.cut[i]) {
+      low_cut = std::min(low_cut, angle);
+      high_cut = std::max(high_cut, angle);
+    }
     if (angle < low) {
       low = angle;
       take(0);
@@ -73,6 +81,8 @@ Tangents tangents_of(const Camera& camera, const OutlineRays& outline, const Pen
       take(1);
     }
   }
+  const double reach = kReach * (high - low);
+  tangents.cut = {low_cut - low <= reach, high - high_cut <= reach};
   tangents.usable = high - low < kWidest;
   return tangents;
 }
