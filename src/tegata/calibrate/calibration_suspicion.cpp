@@ -220,10 +220,10 @@ void try_inverse(const CameraRig& rig, const RigOutlines& frames,
 
 // The turn of one camera about its centre that fits the others best: a pattern search, as medians
 // have no derivatives.
-Eigen::Vector3d best_turn(const CameraRig& rig, const RigOutlines& frames, std::size_t camera) {
+Eigen::Vector3d best_turn(const CameraRig& rig, const RigOutlines& frames, std::size_t camera,
+                          const Agreement& unturned) {
   constexpr double kFirstStep = 4.0 * kDegree, kLastStep = 0.2 * kDegree, kMost = 20.0 * kDegree;
   CameraRig turned = rig;
-  const Agreement unturned = agreement_of(rig, frames);
   const auto cost = [&](const Eigen::Vector3d& turn) {
     const Rigid3d& pose = rig[camera].camera_from_world;
     const Eigen::Quaterniond by = so3_exp(turn);
@@ -259,11 +259,11 @@ Eigen::Vector3d best_turn(const CameraRig& rig, const RigOutlines& frames, std::
   return best;
 }
 
-void try_turns(const CameraRig& rig, const RigOutlines& frames,
+void try_turns(const CameraRig& rig, const RigOutlines& frames, const Agreement& unturned,
                std::vector<Hypothesis>& hypotheses) {
   constexpr double kHandicap = 1.5;
   for (std::size_t c = 0; c < rig.size(); ++c) {
-    const Eigen::Vector3d turn = best_turn(rig, frames, c);
+    const Eigen::Vector3d turn = best_turn(rig, frames, c, unturned);
     if (turn.norm() < kLeastTurn) continue;
     CameraRig turned = rig;
     const Eigen::Quaterniond by = so3_exp(turn);
@@ -343,20 +343,21 @@ Suspicion suspicion_of(const CameraRig& rig, const std::vector<PairTangency>& pa
 
 std::optional<Suspicion> suspect(const CameraRig& rig, const RigOutlines& frames) {
   const std::vector<PairTangency> pairs = pair_tangencies(rig, frames);
-  const bool agree = !pairs.empty() && miss_cost(rig, frames) <= kAgreement &&
+  const double missed = miss_cost(rig, frames);
+  const Agreement now = {tangency_cost(pairs) + missed, tangents_of(pairs)};
+  const bool agree = !pairs.empty() && missed <= kAgreement &&
                      std::all_of(pairs.begin(), pairs.end(), [](const PairTangency& pair) {
                        return pair.median <= kAgreement;
                      });
-  const double cost = pairs.empty() ? kMostContradicted : agreement_of(rig, frames).cost;
+  const double cost = pairs.empty() ? kMostContradicted : now.cost;
   if (cost < kFaint) return std::nullopt;
-  const std::size_t tangents = tangents_of(pairs);
-  const bool few = tangents < (cost < kFarOff ? kFewTangents : kFewestTangents);
+  const bool few = now.tangents < (cost < kFarOff ? kFewTangents : kFewestTangents);
   std::vector<Hypothesis> hypotheses;
   try_exchanges(rig, frames, hypotheses);
   try_flips(rig, frames, hypotheses);
   try_mirrored_poses(rig, frames, hypotheses);
   try_inverse(rig, frames, hypotheses);
-  if (!few) try_turns(rig, frames, hypotheses);
+  if (!few) try_turns(rig, frames, now, hypotheses);
   // Two cameras that are left always meet: they prove nothing against faint doubts.
   if (!agree) try_without(rig, frames, hypotheses);
   weigh_by_tangents(hypotheses);
