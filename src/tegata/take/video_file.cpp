@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "tegata/base/error.h"
+#include "tegata/take/avi_index.h"
 #include "tegata/take/opencv_picture.h"
 #include "tegata/take/silent_opencv.h"
 
@@ -80,6 +81,9 @@ std::size_t counted_frames(cv::VideoCapture& capture) {
 struct VideoFile::State {
   std::filesystem::path file;
   cv::VideoCapture capture;
+  /// Of an AVI that has lost pictures without a trace in what FFmpeg gives: those that are left.
+  /// All that follows but `numbered` counts these alone.
+  std::optional<AviIndex> left;
   std::size_t frame_count = 0;
   std::size_t next = 0;             // the first picture that was not grabbed yet
   double time_ms = 0.0;             // of picture next - 1
@@ -88,7 +92,24 @@ struct VideoFile::State {
   std::optional<CameraImage> last;  // picture next - 1, once it was asked for
 
   bool grab(std::size_t wanted);
+  void find_left();
+  // Where FFmpeg has a picture; nothing for one of which nothing is left.
+  std::optional<std::size_t> numbered(std::size_t index) const;
 };
+
+void VideoFile::State::find_left() {
+  AviIndex avi = read_avi_index(file);
+  if (avi.found.empty() || avi.found.size() == avi.count) return;
+  frame_count = avi.found.size();
+  left = std::move(avi);
+}
+
+std::optional<std::size_t> VideoFile::State::numbered(std::size_t index) const {
+  if (!left || index >= left->count) return index;
+  const auto at = std::lower_bound(left->found.begin(), left->found.end(), index);
+  if (at == left->found.end() || *at != index) return std::nullopt;
+  return static_cast<std::size_t>(at - left->found.begin());
+}
 
 // Grabs the next picture that can be decoded; false where none comes up to `wanted` or to the end
 // of the video. A picture that cannot be decoded fails to be grabbed once, and those after it come
@@ -131,6 +152,7 @@ VideoFile::VideoFile(std::filesystem::path file) : state_(std::make_unique<State
     state_->frame_count = counted_frames(state_->capture);
     open_capture(state_->capture, state_->file);
   }
+  state_->find_left();
 }
 
 VideoFile::~VideoFile() = default;
@@ -138,10 +160,15 @@ VideoFile::VideoFile(VideoFile&&) noexcept = default;
 VideoFile& VideoFile::operator=(VideoFile&&) noexcept = default;
 
 const std::filesystem::path& VideoFile::file() const { return state_->file; }
-std::size_t VideoFile::frame_count() const { return state_->frame_count; }
+std::size_t VideoFile::frame_count() const {
+  return state_->left ? state_->left->count : state_->frame_count;
+}
 
-const CameraImage& VideoFile::read(std::size_t index) {
+const CameraImage& VideoFile::read(std::size_t number) {
   State& state = *state_;
+  const std::optional<std::size_t> found = state.numbered(number);
+  if (!found) throw Error(state.file.string(), ": picture ", number, " cannot be decoded");
+  const std::size_t index = *found;
   if (state.last && index + 1 == state.next) return *state.last;
   if (!state.broken.contains(index) && (!state.end || index < *state.end)) {
     if (index + 1 < state.next) {
@@ -157,8 +184,8 @@ const CameraImage& VideoFile::read(std::size_t index) {
       return *state.last;
     }
   }
-  const bool past_end = state.end && index >= *state.end;
-  throw Error(state.file.string(), ": picture ", index, " cannot be decoded",
+  const bool past_end = !state.left && state.end && index >= *state.end;
+  throw Error(state.file.string(), ": picture ", number, " cannot be decoded",
               past_end ? text(": the video ends after ", *state.end) : "");
 }
 

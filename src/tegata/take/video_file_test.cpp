@@ -78,6 +78,28 @@ TEST(VideoFile, ABrokenPictureCostsNoOther) {
   }
 }
 
+// FFmpeg passes over a picture whose head is damaged, and those after it count one less.
+TEST(VideoFile, PicturesAfterOneWhoseHeadIsDamagedKeepTheirNumbers) {
+  const TestFolder folder;
+  for (const std::size_t broken : {0u, 4u, 5u, 8u}) {
+    std::string avi = motion_jpeg_avi(steps_of_gray(10));
+    std::size_t at = avi.find("movi");
+    for (std::size_t i = 0; i <= broken; ++i) at = avi.find("00dc", at) + 4;
+    avi.replace(at - 4, 50, 50, '\0');
+    write_file(folder / "a.avi", avi);
+    VideoFile video(folder / "a.avi");
+    EXPECT_EQ(video.frame_count(), 10u);
+    for (const std::size_t index : {0u, 1u, 4u, 5u, 6u, 9u, 5u, 6u, 2u, 8u}) {
+      if (index == broken) {
+        EXPECT_TRUE(says(error_of([&] { video.read(index); }), "a.avi", text("picture ", index)));
+      } else {
+        EXPECT_NEAR(video.read(index).values(30, 20), 20.0 * static_cast<double>(index + 1), 3.0)
+            << broken << " " << index;
+      }
+    }
+  }
+}
+
 TEST(VideoFile, AVideoThatIsCutShortGivesWhatItHas) {
   const TestFolder folder;
   write_file(folder / "a.avi", damaged_avi(5, true));
