@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <exception>
 #include <sstream>
@@ -193,6 +194,26 @@ std::map<std::string, int> count_statuses(const Result& result) {
   std::map<std::string, int> counts;
   for (const ResultFrame& frame : result.frames) ++counts[frame.status];
   return counts;
+}
+
+void LeftOut::add(const std::string& frame,
+                  const std::map<std::string, std::string>& why_by_camera) {
+  for (const auto& why : why_by_camera) frames_[why].push_back(frame);
+}
+
+std::string LeftOut::lines() const {
+  constexpr std::size_t kMostNames = 5;
+  std::string lines;
+  for (const auto& [camera_and_why, names] : frames_) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min(kMostNames, names.size()); ++i) {
+      list += (i == 0 ? "" : ", ") + names[i];
+    }
+    if (names.size() > kMostNames) list += " .. " + names.back();
+    lines += fmt::format("{} was left out of {} frame{} ({}): {}\n", camera_and_why.first,
+                         names.size(), names.size() == 1 ? "" : "s", list, camera_and_why.second);
+  }
+  return lines;
 }
 
 std::string overlap_text(const std::map<std::string, double>& overlaps) {

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tegata/base/error.h"
@@ -82,6 +83,18 @@ std::map<std::string, double> mean_overlaps(const Result& result);
 
 /// How many frames have each status.
 std::map<std::string, int> count_statuses(const Result& result);
+
+/// What is said of the views that were not used: a line for each camera and reason.
+class LeftOut {
+ public:
+  /// In the frames' order.
+  void add(const std::string& frame, const std::map<std::string, std::string>& why_by_camera);
+  /// "camera_1 was left out of 2 frames (000005, 000006): its picture cannot be read".
+  std::string lines() const;
+
+ private:
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> frames_;
+};
 
 /// "left 0.97, right 0.95".
 std::string overlap_text(const std::map<std::string, double>& overlaps);

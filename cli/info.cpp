@@ -84,6 +84,9 @@ nlohmann::ordered_json describe_result(const Result& result) {
   json["frames"] = result.frames.size();
   json["statuses"] = count_statuses(result);
   json["silhouette_iou"] = mean_overlaps(result);
+  for (const ResultFrame& frame : result.frames) {
+    if (!frame.left_out.empty()) json["left_out"][frame.name] = frame.left_out;
+  }
   for (int i = 0; i < kAngleCount; ++i) {
     json["grasp_deg"][std::string(angle_names()[static_cast<std::size_t>(i)])] =
         result.grasp_angles[i] * kDegreesPerRadian;
@@ -98,6 +101,9 @@ void print_result(const Result& result) {
   for (const auto& [status, count] : count_statuses(result)) {
     std::cout << fmt::format("  {} frames: {}\n", count, status);
   }
+  LeftOut left_out;
+  for (const ResultFrame& frame : result.frames) left_out.add(frame.name, frame.left_out);
+  std::cout << left_out.lines();
   std::cout << fmt::format("mean silhouette overlap: {}\n", overlap_text(mean_overlaps(result)));
   std::cout << fmt::format("the fit ended with: {}\n", result.termination);
   std::cout << "grasp [deg], with standard deviations:\n";

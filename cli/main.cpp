@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The tegata authors
 // SPDX-License-Identifier: Apache-2.0
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 
@@ -8,6 +9,8 @@
 
 // Exit codes: 0 done, 1 an error that one line on stderr explains, 2 wrong usage.
 int main(int argc, char** argv) {
+  // FFmpeg prints of its own what is wrong with a video; which pictures it cost is said anyway.
+  setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   CLI::App program("From a few calibrated cameras to the pose, joint angles and grasp of a hand.",
                    "tegata");
   program.set_version_flag("--version", "tegata " TEGATA_VERSION);

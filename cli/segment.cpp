@@ -40,6 +40,7 @@ nlohmann::ordered_json describe(const Take& take, const SegmentedTake& segmented
       views[view.camera] = {{"hand_pixels", view.hand_pixels}, {"confidence", view.confidence}};
     }
     json["frames"].push_back({{"frame", frame.name}, {"views", views}});
+    if (!frame.left_out.empty()) json["frames"].back()["left_out"] = frame.left_out;
   }
   return json;
 }
@@ -83,7 +84,9 @@ void run(Arguments& arguments) {
     std::cout << json.dump() << "\n";
     return;
   }
-  std::cout << summary(segmented) << "\n";
+  LeftOut left_out;
+  for (const SegmentedFrame& frame : segmented.frames) left_out.add(frame.name, frame.left_out);
+  std::cout << summary(segmented) << "\n" << left_out.lines();
   std::cout << fmt::format("look at {} before fitting {}\n",
                            (std::filesystem::path(arguments.folder) / kSheetFile).string(),
                            arguments.folder);

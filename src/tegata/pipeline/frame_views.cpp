@@ -14,6 +14,10 @@ FrameViews frame_views(const Segmenter& segmenter, const TakeFrame& pictures) {
   FrameViews frame;
   frame.name = pictures.name;
   frame.time = pictures.time;
+  for (std::size_t c = 0; c < pictures.pictures.size(); ++c) {
+    const std::string& camera = segmenter.rig()[c].name;
+    if (!pictures.pictures[c]) frame.left_out[camera] = pictures.why_missing(camera);
+  }
   if (pictures.view_count() < kLeastViews) {
     frame.refusal = text("pictures from ", pictures.view_count(), " camera, 2 or more are needed");
     return frame;
@@ -22,10 +26,7 @@ FrameViews frame_views(const Segmenter& segmenter, const TakeFrame& pictures) {
   const std::vector<std::optional<Silhouette>> silhouettes = segmenter.segment(pictures);
   for (std::size_t c = 0; c < silhouettes.size(); ++c) {
     const Camera& camera = segmenter.rig()[c];
-    if (!silhouettes[c]) {
-      frame.left_out[camera.name] = "there is no picture";
-      continue;
-    }
+    if (!silhouettes[c]) continue;
     if (count_pixels(*silhouettes[c], PixelLabel::hand) == 0) {
       frame.notes.push_back(text("frame ", pictures.name, ", camera '", camera.name,
                                  "': no hand was found in the picture, the view is left out"));

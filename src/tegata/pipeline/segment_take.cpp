@@ -80,7 +80,10 @@ SegmentedTake segment_take(Take& take, const fs::path& folder, const SegmentTake
     segmented.frames[i].name = pictures.name;
     const auto row = row_of.find(i);
     for (std::size_t c = 0; c < rig.size(); ++c) {
-      if (!silhouettes[c]) continue;
+      if (!silhouettes[c]) {
+        segmented.frames[i].left_out[rig[c].name] = pictures.why_missing(rig[c].name);
+        continue;
+      }
       write_picture(mask_from_silhouette(*silhouettes[c]),
                     folder / "masks" / rig[c].name / (pictures.name + ".png"));
       segmented.frames[i].views.push_back(

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct SegmentedView {
 struct SegmentedFrame {
   std::string name;
   std::vector<SegmentedView> views;  ///< of the cameras that have a picture, in the rig's order
+  std::map<std::string, std::string> left_out;  ///< why, by camera of the others
 };
 
 struct SegmentedTake {

@@ -179,6 +179,11 @@ std::size_t TakeFrame::view_count() const {
       pictures.begin(), pictures.end(), [](const auto& picture) { return picture.has_value(); }));
 }
 
+std::string TakeFrame::why_missing(const std::string& camera) const {
+  const bool is_broken = std::find(broken.begin(), broken.end(), camera) != broken.end();
+  return is_broken ? "its picture cannot be read" : "there is no picture";
+}
+
 Take::Take(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Take::~Take() = default;
 Take::Take(Take&&) noexcept = default;
@@ -233,9 +238,12 @@ TakeFrame Take::read_frame(std::size_t index, const Observer& observer) {
   if (!std::exchange(state.notes_said, true)) {
     for (const std::string& note : state.notes) observer.warn(note);
   }
-  TakeFrame frame{frame_names()[index], static_cast<double>(index) / state.info.fps, {}};
+  TakeFrame frame{frame_names()[index], static_cast<double>(index) / state.info.fps, {}, {}};
   for (std::size_t camera = 0; camera < state.rig.size(); ++camera) {
     frame.pictures.push_back(state.read(state.frames(), camera, index, observer));
+    if (!frame.pictures.back() && state.frames().has(camera, index)) {
+      frame.broken.push_back(state.rig[camera].name);
+    }
   }
   return frame;
 }

@@ -24,7 +24,10 @@ struct TakeFrame {
   std::string name;
   double time = 0.0;  ///< [s]
   std::vector<std::optional<CameraImage>> pictures;
+  std::vector<std::string> broken;  ///< cameras whose picture of it is there, but of no use
   std::size_t view_count() const;
+  /// Why a camera has no picture.
+  std::string why_missing(const std::string& camera) const;
 };
 
 /// A recording: a folder as docs/formats.md describes it.
