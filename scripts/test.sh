@@ -5,7 +5,7 @@
 # Installs what is missing, builds everything and runs every test: format and floors, the rooms'
 # tests under the address and undefined-behaviour sanitizers, then the whole suite (rooms, program
 # end to end, bad input, README, installed consumer) in release, then the fuzz targets for a minute
-# each.
+# each, some at a time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
