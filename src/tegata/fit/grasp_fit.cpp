@@ -27,10 +27,9 @@ constexpr double kLostEnergyRatio = 2.0;
 // this and so many times what it left itself in all frames it probably was.
 constexpr double kLikelyUncovered = 4e-4, kWrongBeginningRatio = 2.0;
 // From the normal equations' deviations to true ones: neighbouring residuals are not independent.
-// Chosen with hands of known shape on 15 simulated takes (three grasps, three infrared cameras, ten
-// frames): 64 % of the true angles lie within one. A hand of another shape than the
-// fitted one is farther off than this says.
-constexpr double kDeviationScale = 0.8;
+// Chosen with hands of known shape on the 45 takes of `tegata experiment accuracy`
+// (docs/accuracy.md). A hand of another shape than the fitted one is farther off than this says.
+constexpr double kDeviationScale = 0.62;
 // How far the angles may leave what is known of them [rad], stage by stage: a turning hand is first
 // followed nearly stiff, as nothing else moves the fingers' surfaces as far.
 constexpr double kFixedDeviations[] = {0.03, 0.06, 0.1, 0.15};
