@@ -100,6 +100,8 @@ struct VideoFile::State {
 void VideoFile::State::find_left() {
   AviIndex avi = read_avi_index(file);
   if (avi.found.empty() || avi.found.size() == avi.count) return;
+  // A file beyond 1 GB has several parts, and this index is of the first one alone.
+  if (avi.count < frame_count) return;
   frame_count = avi.found.size();
   left = std::move(avi);
 }
