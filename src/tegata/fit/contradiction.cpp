@@ -20,7 +20,7 @@ constexpr std::size_t kLeastViews = 3;
 // How much of a seen hand lies uncovered on average, beyond what is usual [m]: a frame is looked at
 // where one view has more than the first, a view contradicts the others where it has more than the
 // second and they are left with less than the third.
-constexpr double kSuspicious = 3e-4, kContradictory = 5e-4, kAgreeing = 1e-4;
+constexpr double kSuspicious = 2e-4, kContradictory = 3e-4, kAgreeing = 1e-4;
 constexpr double kSuspiciousRatio = 3.0, kAgreeingRatio = 1.5;
 // Or with less than this part of what is uncovered in the view that contradicts them.
 constexpr double kAgreeingShare = 0.1;
@@ -45,21 +45,31 @@ FitFrame without_view(const FitFrame& frame, std::size_t view, const HullOptions
 
 /// A frame's views but one, and the hand by them.
 struct Hypothesis {
-  double without = 0.0;  // uncovered in the view that was left out
-  double others = 0.0;   // and in the others, on average
+  std::optional<double> without;  // uncovered in the view that was left out
+  double others = 0.0;            // and in the others, on average
   HandPose pose;
 };
+
+// Where a frame's views, or those that are left of them, have the hand.
+HandPose known_pose(const FitHand& hand, const FitFrame& frame, const HandPose& start,
+                    const TriangleMesh& object, const FitSchedule& schedule) {
+  HandPose pose = fit_known_from_afar(hand, frame, start, object, schedule).pose;
+  // The angles were free to move a little; the pose alone is of the frame.
+  pose.angles = start.angles;
+  return pose;
+}
+
+double mean_without(const std::vector<double>& distances, std::size_t view) {
+  const double all = std::accumulate(distances.begin(), distances.end(), 0.0);
+  return (all - distances[view]) / static_cast<double>(distances.size() - 1);
+}
 
 Hypothesis leave_out(const FitHand& hand, const FitFrame& frame, std::size_t view,
                      const HandPose& start, const TriangleMesh& object,
                      const FitSchedule& schedule) {
-  const FitFrame others = without_view(frame, view);
-  HandPose pose = fit_known_from_afar(hand, others, start, object, schedule).pose;
-  // The angles were free to move a little; the pose alone is of the frame.
-  pose.angles = start.angles;
-  const std::vector<double> left = uncovered_distances(hand, frame, pose);
-  const double all = std::accumulate(left.begin(), left.end(), 0.0);
-  return {left[view], (all - left[view]) / static_cast<double>(others.views.size()), pose};
+  const HandPose pose = known_pose(hand, without_view(frame, view), start, object, schedule);
+  return {uncovered_distance(hand, hand.posed(pose), frame.views[view]),
+          mean_without(uncovered_distances(hand, frame, pose), view), pose};
 }
 
 }  // namespace
@@ -103,10 +113,16 @@ std::vector<Contradiction> find_contradictions(const FitHand& hand,
       best = now;
       found[f] = {f, v, now.pose};
     }
-    if (best->without < contradictory ||
-        best->others > std::max(agreeing, kAgreeingShare * best->without)) {
-      found[f].reset();
+    // A view along the forearm cannot tell what it leaves uncovered.
+    const bool agree_alone =
+        best->others <= std::max(agreeing, kAgreeingShare * best->without.value_or(0.0));
+    if (agree_alone && best->without.value_or(contradictory) >= contradictory) {
+      // Unless all agree once the hand is sought from where the others have it.
+      const HandPose drawn = known_pose(hand, *frames[f], best->pose, object, options.schedule);
+      const std::vector<double> all_left = uncovered_distances(hand, *frames[f], drawn);
+      if (*std::max_element(all_left.begin(), all_left.end()) > suspicious) return;
     }
+    found[f].reset();
   });
   std::vector<Contradiction> contradictions;
   for (const std::optional<Contradiction>& one : found) {

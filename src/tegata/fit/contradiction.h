@@ -31,7 +31,8 @@ struct ContradictionOptions {
 };
 
 /// Looks for views that see much of a hand beside where the others of the frame have it, while they
-/// agree on it once they are alone (uncovered_distance()); one a frame at most. What hides the hand
+/// agree on it once they are alone (uncovered_distance()), and draw it away from there again; one a
+/// frame at most. What hides the hand
 /// contradicts nothing: it takes from what is seen and adds nothing. Usual is what half of all
 /// views exceed, so that a hand of another shape than the fitted one contradicts nothing either.
 /// Frames of fewer than three views are passed over.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tegata/fit/support.h"
 #include "tegata/fit/test_scene.h"
 
 namespace tegata {
@@ -29,12 +30,11 @@ CameraRig four_cameras() {
   return rig;
 }
 
-FourViews before_four_cameras(int count) {
+FourViews before_four_cameras(int count, const CameraRig& rig = four_cameras()) {
   FourViews scene;
   for (int f = 0; f < count; ++f) {
     scene.poses.push_back(test::grasping_pose(0.25 * f));
-    scene.frames.push_back(
-        test::perfect_frame(test::coarse_hand(), scene.poses.back(), four_cameras()));
+    scene.frames.push_back(test::perfect_frame(test::coarse_hand(), scene.poses.back(), rig));
   }
   return scene;
 }
@@ -69,6 +69,27 @@ TEST(Contradiction, CameraThatWasPushedIsFoundAndTheHandIsWhereTheOthersSeeIt) {
   EXPECT_TRUE(agreeing.frames()[1]->hull.has_value());
   EXPECT_EQ(agreeing.frames()[0], &scene.frames[0]);
   EXPECT_FALSE(agreeing.leave_out_contradictions(hand, scene.poses, {}, {}, 2));
+}
+
+// Of such a view nobody knows where the hand ends and the forearm begins.
+TEST(Contradiction, AViewAlongTheForearmIsFoundByWhereItDrawsTheHand) {
+  const HandPose truth = test::grasping_pose(0.25);
+  CameraRig rig = four_cameras();
+  rig[3].camera_from_world.rotation = Eigen::Quaterniond::FromTwoVectors(
+      truth.world_from_hand.rotation * Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ());
+  FourViews scene = before_four_cameras(5, rig);
+  const FitHand hand(test::coarse_hand());
+  ASSERT_FALSE(uncovered_distance(hand, hand.posed(truth), scene.frames[1].views[3]));
+  scene.poses[1].world_from_hand.translation +=
+      rig[3].camera_from_world.rotation.conjugate() * Eigen::Vector3d(0.006, 0.0, 0.0);
+  EXPECT_TRUE(find_contradictions(hand, scene.pointers(), scene.poses, {}, {}, 1).empty());
+
+  shift(scene.frames[1].views[3], 12);
+  const auto found = find_contradictions(hand, scene.pointers(), scene.poses, {}, {}, 1);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].frame, 1U);
+  EXPECT_EQ(found[0].view, 3U);
+  EXPECT_LT(test::mean_keypoint_distance(test::coarse_hand(), found[0].pose, truth), 1e-3);
 }
 
 TEST(Contradiction, WhatHidesTheHandInAViewContradictsNothing) {
