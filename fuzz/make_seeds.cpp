@@ -25,7 +25,6 @@
 #include "tegata/take/take_info.h"
 #include "tegata/take/test_video.h"
 #include "tegata/take/truth.h"
-#include "tegata/take/write_video.h"
 
 namespace tegata {
 namespace {
@@ -96,7 +95,7 @@ void make_texts(const std::filesystem::path& folder) {
   write_seed(kCaliscopeBoard, board / "charuco.toml");
 }
 
-/// Colour or gray, as large as a few of JPEG's blocks; an even number of pixels, for video.
+/// Colour or gray, as large as a few of JPEG's blocks; an even number of pixels, for videos.
 CameraImage picture(int channels, int bits) {
   CameraImage made{Image<std::uint16_t>(24, 18, 0, channels), bits};
   std::uint32_t value = 0;
@@ -116,10 +115,8 @@ void make_pictures(const std::filesystem::path& folder) {
       if (bits == 8) write_picture(picture(channels, bits), pictures / (stem + ".jpg"));
     }
   }
-  const std::filesystem::path videos = seeds_of(folder, "video");
   const std::vector<CameraImage> three(3, picture(3, 8));
-  std::ofstream(videos / "three.avi", std::ios::binary) << motion_jpeg_avi(three);
-  write_video(videos / "three.mp4", 30.0, three.size(), [&](std::size_t i) { return three[i]; });
+  std::ofstream(seeds_of(folder, "avi") / "three.avi", std::ios::binary) << motion_jpeg_avi(three);
 }
 
 /// A mesh beside the seeds is named by where it lies: no bytes hold both.
