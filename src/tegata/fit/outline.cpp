@@ -44,16 +44,22 @@ struct DrawnHand {
 
 }  // namespace
 
+std::vector<double> facing_camera(const PosedHand& posed, const Camera& camera) {
+  const Eigen::Vector3d eye = camera.center_in_world();
+  const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
+  std::vector<double> facing(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    facing[i] = posed.normals()[i].dot(eye - vertices[i]);
+  }
+  return facing;
+}
+
 std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& posed,
                                        const Camera& camera, int coarseness) {
   const DrawnHand drawn(posed, camera, coarseness);
-  const Eigen::Vector3d eye = camera.center_in_world();
   const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
   const std::vector<Eigen::Vector3d>& normals = posed.normals();
-  std::vector<double> facing(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    facing[i] = normals[i].dot(eye - vertices[i]);
-  }
+  const std::vector<double> facing = facing_camera(posed, camera);
 
   std::vector<OutlinePoint> outline;
   for (const SurfaceEdge& edge : hand.edges) {

@@ -25,6 +25,10 @@ struct OutlinePoint {
   bool beyond_wrist = true;
 };
 
+/// How far each vertex faces a camera: the product of its normal and the way there [m]. The surface
+/// turns away where it falls through zero.
+std::vector<double> facing_camera(const PosedHand& posed, const Camera& camera);
+
 /// The outline of the hand in a camera without distortion. Found on the edges of the surface along
 /// which the normal passes from towards the camera to away from it; of these, those with the hand
 /// on one side in the picture and nothing on the other. Points that the picture does not show are

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tegata/fit/outline.h"
 #include "tegata/fit/surface_row.h"
 #include "tegata/image/rasterizer.h"
 
@@ -71,13 +72,9 @@ double HandPicture::cover(const Eigen::Vector2d& pixel) const {
 
 std::vector<OutlinePiece> outline_pieces(const FitHand& hand, const PosedHand& posed,
                                          const Camera& camera, const HandPicture& drawn) {
-  const Eigen::Vector3d eye = camera.center_in_world();
   const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
   const std::vector<Eigen::Vector3d>& normals = posed.normals();
-  std::vector<double> facing(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    facing[i] = normals[i].dot(eye - vertices[i]);
-  }
+  const std::vector<double> facing = facing_camera(posed, camera);
   std::vector<OutlinePiece> pieces;
   for (const Triangle& triangle : posed.model().rest_surface.triangles) {
     const std::optional<Crossing> across = crossing(triangle, facing);
