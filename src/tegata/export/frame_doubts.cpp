@@ -15,6 +15,8 @@
 namespace tegata {
 namespace {
 
+// Lengths are those of a hand of scale 1.
+//
 // Something that hides the hand may leave little overlap; with all that is seen of the hand covered
 // (by less than kCovered [m]) less is enough.
 constexpr double kLeastOverlap = 0.5, kLeastCoveredOverlap = 0.25, kCovered = 5e-4;
@@ -81,9 +83,9 @@ double usual_view_count(const Result& result) {
   return median_or_zero(counts);
 }
 
-double uncovered_in(const ResultFrame& frame, const std::string& camera) {
+bool is_covered(const Result& result, const ResultFrame& frame, const std::string& camera) {
   const auto found = frame.uncovered.find(camera);
-  return found == frame.uncovered.end() ? kMostUncovered : found->second;
+  return found != frame.uncovered.end() && found->second < result.model_scale * kCovered;
 }
 
 /// The camera that sees most of a hand beside the fitted one; nothing where none can tell.
@@ -103,13 +105,14 @@ double usual_uncovered(const Result& result) {
   return median_or_zero(std::move(values));
 }
 
-void doubt_uncovered(const ResultFrame& frame, double usual, double& severity,
+void doubt_uncovered(const Result& result, std::size_t index, double usual, double& severity,
                      std::vector<Reason>& reasons) {
-  const auto most = most_uncovered(frame);
+  const auto most = most_uncovered(result.frames[index]);
   if (!most) return;
-  const double weight = 0.9 * std::min(1.0, most->second / (4.0 * kMostUncovered));
+  const double limit = result.model_scale * kMostUncovered;
+  const double weight = 0.9 * std::min(1.0, most->second / (4.0 * limit));
   severity = std::max(severity, weight);
-  if (most->second <= std::max(kMostUncovered, kMostUncoveredRatio * usual)) return;
+  if (most->second <= std::max(limit, kMostUncoveredRatio * usual)) return;
   reasons.emplace_back(weight, fmt::format("the hand in {} reaches {:.1f} mm beyond the fitted one",
                                            most->first, 1e3 * most->second));
 }
@@ -146,12 +149,13 @@ void doubt_overlaps(const Result& result, std::size_t index, double& severity,
     const Usual expected = usual_overlap(result, camera, index);
     const double drop = expected.overlap - overlap;
     const double missing = 0.9 * std::clamp(1.0 - overlap, 0.0, 1.0);
-    const bool is_covered = uncovered_in(result.frames[index], camera) < kCovered;
+    const double least =
+        is_covered(result, result.frames[index], camera) ? kLeastCoveredOverlap : kLeastOverlap;
     severity = std::max(severity, missing);
     if (drop > std::max(kLeastDrop, 4.0 * expected.sigma)) {
       reasons.emplace_back(missing, fmt::format("overlap in {} {:.2f}, around it {:.2f}", camera,
                                                 overlap, expected.overlap));
-    } else if (overlap < (is_covered ? kLeastCoveredOverlap : kLeastOverlap)) {
+    } else if (overlap < least) {
       reasons.emplace_back(missing, fmt::format("overlap in {} only {:.2f}", camera, overlap));
     }
   }
@@ -161,7 +165,7 @@ void doubt_overlaps(const Result& result, std::size_t index, double& severity,
 
 std::vector<FrameDoubt> frame_doubts(const Result& result) {
   const std::vector<double> jumps = wrist_jumps(result.frames);
-  const double jump_limit = std::max(kLeastJump, 6.0 * usual_jump(jumps));
+  const double jump_limit = std::max(result.model_scale * kLeastJump, 6.0 * usual_jump(jumps));
   const double view_count = usual_view_count(result);
   const double uncovered = usual_uncovered(result);
   std::vector<FrameDoubt> doubts;
@@ -175,7 +179,7 @@ std::vector<FrameDoubt> frame_doubts(const Result& result) {
     } else {
       if (frame.status != "ok") reasons.emplace_back(0.95, frame.status);
       doubt_overlaps(result, i, severity, reasons);
-      doubt_uncovered(frame, uncovered, severity, reasons);
+      doubt_uncovered(result, i, uncovered, severity, reasons);
       if (!frame.left_out.empty()) severity = std::max(severity, kLeftOutSeverity);
       if (frame.views.size() < kEnoughViews &&
           static_cast<double>(frame.views.size()) < view_count) {
@@ -227,14 +231,14 @@ FitVerdict fit_verdict(const Result& result, const std::vector<FrameDoubt>& doub
   const double uncovered = mean_uncovered(result);
   const auto reaches = [&](double least_share, double least_overlap, double most_uncovered) {
     return share >= least_share && verdict.mean_overlap >= least_overlap &&
-           uncovered <= most_uncovered;
+           uncovered <= result.model_scale * most_uncovered;
   };
   verdict.word = reaches(0.9, 0.75, kGoodUncovered)  ? "good"
                  : reaches(0.6, 0.6, kFairUncovered) ? "fair"
                                                      : "poor";
   verdict.sentence = fmt::format("{} of {} frames can be trusted.{}", verdict.trusted,
                                  doubts.size(), left_out_views(result));
-  if (uncovered > kGoodUncovered) {
+  if (uncovered > result.model_scale * kGoodUncovered) {
     verdict.sentence += fmt::format(
         " The seen hand reaches {:.1f} mm beyond the fitted one: its pose, its size or a camera "
         "may "

@@ -116,6 +116,25 @@ TEST(FrameDoubts, JumpAndMissingViewsAreSaid) {
   EXPECT_EQ(only_reason(doubts[9]), "seen by 2 cameras only");
 }
 
+TEST(FrameDoubts, HandOfAnotherScaleIsDoubtedForTheSameReasons) {
+  Result result = even_result(12);
+  for (ResultFrame& frame : result.frames) frame.uncovered = {{"a", 0.0004}, {"b", 0.0003}};
+  result.frames[4].uncovered["b"] = 0.009;
+  Result large = result;
+  large.model_scale = 10.0;
+  for (ResultFrame& frame : large.frames) {
+    frame.pose->world_from_hand.translation *= 10.0;
+    for (auto& [camera, distance] : frame.uncovered) distance *= 10.0;
+  }
+  const auto doubts = frame_doubts(result), of_large = frame_doubts(large);
+  for (std::size_t i = 0; i < doubts.size(); ++i) {
+    EXPECT_EQ(doubts[i].reasons.size(), of_large[i].reasons.size()) << i;
+    EXPECT_NEAR(doubts[i].severity, of_large[i].severity, 1e-12) << i;
+  }
+  EXPECT_EQ(only_reason(of_large[4]), "the hand in b reaches 90.0 mm beyond the fitted one");
+  EXPECT_EQ(fit_verdict(large, of_large).word, fit_verdict(result, doubts).word);
+}
+
 TEST(FrameDoubts, WrongPoseIsWorseThanNone) {
   Result result = even_result(5);
   result.frames[3].pose.reset();
