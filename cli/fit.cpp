@@ -103,9 +103,7 @@ Result fitted(const Arguments& arguments, Take& take, const HandModel& hand,
   static_cast<PrepareOptions&>(track) = options;
   track.track.drift = drift_of(options.fit.grasp);
   track.track.threads = options.threads;
-  Result result = track_take(take, scaled(hand, *options.scale), track, observer);
-  result.model_scale = *options.scale;
-  return result;
+  return track_take(take, hand, track, observer);
 }
 
 void print_json(const Arguments& arguments, const Result& result, double seconds) {
@@ -231,7 +229,12 @@ void add_fit_command(CLI::App& program) {
   command->add_flag("--force", arguments->force, "Replace the result folder where it exists");
   add_common_options(*command, arguments->common);
   command->footer("Example: tegata fit demo/take -o demo/result\n");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments, command] {
+    FitTakeOptions& asked = arguments->options;
+    const bool has_voxel = command->count("--voxel-mm") > 0;
+    if (!has_voxel) asked.hull.voxel_size *= asked.scale.value_or(1.0);
+    run(*arguments);
+  });
 }
 
 }  // namespace tegata

@@ -116,6 +116,18 @@ TEST_F(SmallHand, AFactorScalesAnyHand) {
   EXPECT_NEAR(info.at("length").get<double>(), 0.9 * 0.189, 1e-3);
 }
 
+TEST_F(SmallHand, InAWorldTenTimesAsLargeHasTheSameAngles) {
+  make_take("take", "2");
+  const auto angles = [&](const std::string& result, const std::string& scale) {
+    run({"fit", path("take"), "-o", path(result), "--scale", scale, "--quiet", "--no-report"});
+    return read_result_json(folder_ / result / "result.json").grasp_angles;
+  };
+  write_text(folder_ / "take/take.toml", "hand = \"right\"\n");  // no landmarks, which are metres
+  const JointAngles here = angles("here", "0.9");
+  write_text(folder_ / "take/take.toml", "hand = \"right\"\nmetres_per_unit = 10.0\n");
+  EXPECT_LT((angles("there", "9") - here).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 TEST_F(SmallHand, BadInputIsOneError) {
   make_take("take", "1");
   const std::string take = path("take");

@@ -19,6 +19,9 @@ KnownTake make_known_take(const HandModel& hand, const SimulationOptions& room,
   for (const std::size_t i : known.prepared.usable()) {
     known.truth.push_back(truth.frames[i]);
     known.surfaces.push_back(read_ply(folder / "truth" / (truth.frames[i].name + ".ply")));
+    const SceneFrame& scene = known.prepared.scene();
+    for (Eigen::Vector3d& point : known.truth.back().keypoints) point = scene.in_scene(point);
+    for (Eigen::Vector3d& point : known.surfaces.back().vertices) point = scene.in_scene(point);
   }
   std::filesystem::remove_all(folder);
   return known;

@@ -17,8 +17,8 @@ namespace tegata {
 /// A simulated take, prepared for fitting, and what is known of it.
 struct KnownTake {
   PreparedTake prepared;
-  std::vector<TruthFrame> truth;       ///< of the usable frames
-  std::vector<TriangleMesh> surfaces;  ///< the true ones, of these frames
+  std::vector<TruthFrame> truth;       ///< of the usable frames, in the scene
+  std::vector<TriangleMesh> surfaces;  ///< the true ones, of these frames, in the scene
 };
 
 /// Makes a take in a new folder, prepares it by one thread and removes the folder.

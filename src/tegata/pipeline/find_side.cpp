@@ -20,15 +20,16 @@ double energy_of(const FitHand& hand, const FitFrame& frame, int threads) {
 
 SideChoice find_side(Take& take, const HandModel& right, const HandModel& left,
                      const PrepareOptions& options, const Observer& observer) {
-  const Segmenter segmenter(take, options.segmentation, observer);
+  const SceneFrame scene = scene_of(take, options);
+  const Segmenter segmenter(take, options.segmentation, observer, scene);
   const std::vector<std::size_t> indices = selected_frames(options.frames, take);
   const FitHand right_hand(right), left_hand(left);
   double right_energy = 0.0, left_energy = 0.0;
   std::string refusal;
   for (const std::size_t i : spread(indices.size(), kTrialFrames)) {
     // Without an observer: what there is to say of a frame is said when it is fitted.
-    PreparedFrame frame =
-        prepare_frame(segmenter, take.read_frame(indices[i], Observer{}), options.hull);
+    PreparedFrame frame = prepare_frame(segmenter, take.read_frame(indices[i], Observer{}),
+                                        in_scene(options.hull, scene));
     if (!frame.refusal.empty()) {
       refusal = text("frame ", frame.name, ": ", frame.refusal);
       continue;

@@ -10,6 +10,7 @@
 #include "tegata/hand/scaled_hand.h"
 #include "tegata/pipeline/check_calibration.h"
 #include "tegata/pipeline/describe_frame.h"
+#include "tegata/pipeline/in_world.h"
 #include "tegata/pipeline/paper_take.h"
 #include "tegata/pipeline/size_hand.h"
 
@@ -39,17 +40,17 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   const PreparedTake prepared = prepare_checked_take(take, options, observer);
   GraspFitOptions fit_options = options.fit;
   fit_options.threads = options.threads;
-  fit_options.joint.hull = options.hull;
+  fit_options.joint.hull = in_scene(options.hull, prepared.scene());
   Result result;
-  result.model_scale = options.scale.value_or(1.0);
+  double scale_in_scene = 1.0;
   if (!options.scale) {
     const FrameSource* const takes[] = {&prepared};
     const SizedHand sized = size_hand(hand_model, takes, fit_options, observer);
-    result.model_scale = sized.scale.scale;
+    scale_in_scene = sized.scale.scale;
     result.model_scale_standard_deviation = sized.scale.standard_deviation;
     result.seconds["scale"] = sized.seconds;
   }
-  const HandModel fitted_model = scaled(hand_model, result.model_scale);
+  const HandModel fitted_model = scaled(hand_model, scale_in_scene);
   const FitHand hand(fitted_model);
   const GraspFit grasp = options.method == FitMethod::paper
                              ? fit_grasp_by_paper(hand, prepared, fit_options, observer)
@@ -58,6 +59,7 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   result.take = take.info().name;
   result.side = hand_model.skeleton.side;
   result.model_name = hand_model.name;
+  result.model_scale = options.scale.value_or(scale_in_scene);
   result.grasp_angles = grasp.angles;
   result.grasp_standard_deviations = grasp.standard_deviations;
   result.object = grasp.object.surface;
@@ -76,7 +78,7 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   result.seconds["hull"] = sum_of(prepared.frames(), &PreparedFrame::hull_seconds);
   result.seconds["frames"] = grasp.frame_seconds;
   result.seconds["all_frames"] = grasp.all_frames_seconds;
-  return result;
+  return in_world(prepared.scene(), std::move(result));
 }
 
 }  // namespace tegata

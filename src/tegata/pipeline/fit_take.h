@@ -21,8 +21,6 @@ enum class FitMethod {
 struct FitTakeOptions : PrepareOptions {
   FitMethod method = FitMethod::all_terms;
   GraspFitOptions fit;
-  /// The hand's lengths are multiplied by it; absent: it is estimated.
-  std::optional<double> scale = 1.0;
 };
 
 /// The whole way of the data: pictures, silhouettes, hulls, fit of each frame, fit of all frames.

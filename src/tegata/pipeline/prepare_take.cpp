@@ -5,19 +5,22 @@
 #include <utility>
 
 #include "tegata/base/error.h"
+#include "tegata/pipeline/in_world.h"
 
 namespace tegata {
 namespace {
 
-std::vector<StoredFrame> prepare_frames(Take& take, const std::vector<std::size_t>& indices,
+std::vector<StoredFrame> prepare_frames(Take& take, const SceneFrame& scene,
+                                        const std::vector<std::size_t>& indices,
                                         const PrepareOptions& options, const Observer& observer) {
-  const Segmenter segmenter(take, options.segmentation, observer);
+  const Segmenter segmenter(take, options.segmentation, observer, scene);
+  const HullOptions hull = in_scene(options.hull, scene);
   std::vector<StoredFrame> stored;
   std::vector<PreparedFrame> ahead(kFramesAtOnce);
   for_each_frame(take, indices, options.threads,
                  {.work =
                       [&](std::size_t i, const TakeFrame& pictures) {
-                        ahead[i % kFramesAtOnce] = prepare_frame(segmenter, pictures, options.hull);
+                        ahead[i % kFramesAtOnce] = prepare_frame(segmenter, pictures, hull);
                       },
                   .finish =
                       [&](std::size_t i) {
@@ -26,7 +29,7 @@ std::vector<StoredFrame> prepare_frames(Take& take, const std::vector<std::size_
                         if (!frame.refusal.empty()) {
                           observer.warn(text("frame ", frame.name, ": ", frame.refusal));
                         } else if (options.on_hull) {
-                          options.on_hull(frame.name, frame.hull);
+                          options.on_hull(frame.name, in_world(scene, frame.hull));
                         }
                         stored.emplace_back(std::move(frame));
                       }},
@@ -36,15 +39,26 @@ std::vector<StoredFrame> prepare_frames(Take& take, const std::vector<std::size_
 
 }  // namespace
 
-std::optional<StartLandmarks> start_landmarks(const Take& take, bool from_first_frame,
-                                              const Observer& observer) {
+SceneFrame scene_of(const Take& take, const PrepareOptions& options) {
+  return scene_frame(take.rig(), options.scale.value_or(1.0));
+}
+
+HullOptions in_scene(HullOptions options, const SceneFrame& scene) {
+  options.voxel_size /= scene.metres_per_unit;
+  options.largest_error /= scene.metres_per_unit;
+  return options;
+}
+
+std::optional<StartLandmarks> start_landmarks(const Take& take, const SceneFrame& scene,
+                                              bool from_first_frame, const Observer& observer) {
   if (!take.info().initial_landmarks) return std::nullopt;
   if (!from_first_frame) {
     observer.warn("[initial_pose] is of the take's first frame, which is not fitted: not used");
     return std::nullopt;
   }
   const InitialLandmarks& landmarks = *take.info().initial_landmarks;
-  return StartLandmarks{landmarks.wrist, landmarks.index_mcp, landmarks.little_mcp};
+  return StartLandmarks{scene.in_scene(landmarks.wrist), scene.in_scene(landmarks.index_mcp),
+                        scene.in_scene(landmarks.little_mcp)};
 }
 
 StoredFrame::StoredFrame(PreparedFrame prepared) : rest(std::move(prepared)) {
@@ -61,8 +75,9 @@ PreparedFrame StoredFrame::restored() const {
   return whole;
 }
 
-PreparedTake::PreparedTake(const Take& take, std::vector<StoredFrame> frames)
-    : frames_(std::move(frames)) {
+PreparedTake::PreparedTake(const Take& take, const SceneFrame& scene,
+                           std::vector<StoredFrame> frames)
+    : scene_(scene), frames_(std::move(frames)) {
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     if (frames_[i].rest.refusal.empty()) usable_.push_back(i);
   }
@@ -83,9 +98,10 @@ void PreparedTake::set_landmarks(std::size_t i, const std::optional<StartLandmar
 
 PreparedTake prepare_take(Take& take, const PrepareOptions& options, const Observer& observer) {
   const std::vector<std::size_t> indices = selected_frames(options.frames, take);
-  PreparedTake prepared(take, prepare_frames(take, indices, options, observer));
+  const SceneFrame scene = scene_of(take, options);
+  PreparedTake prepared(take, scene, prepare_frames(take, scene, indices, options, observer));
   const bool from_first_frame = indices[prepared.usable().front()] == 0;
-  prepared.set_landmarks(0, start_landmarks(take, from_first_frame, observer));
+  prepared.set_landmarks(0, start_landmarks(take, scene, from_first_frame, observer));
   return prepared;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tegata/base/observer.h"
+#include "tegata/camera/scene_frame.h"
 #include "tegata/fit/frame_source.h"
 #include "tegata/fit/stored_view.h"
 #include "tegata/hull/visual_hull.h"
@@ -24,9 +25,11 @@ namespace tegata {
 struct PrepareOptions {
   FrameSelection frames;
   std::optional<SegmentationMethod> segmentation;  ///< absent: what the take says, or chosen
-  HullOptions hull;
+  HullOptions hull;                                ///< lengths in the world
+  /// The hand's lengths are multiplied by it; absent: it is to be estimated.
+  std::optional<double> scale = 1.0;
   int threads = 0;
-  /// Called in the order of the frames with each frame's simplified hull.
+  /// Called in the order of the frames with each frame's simplified hull, in the world.
   std::function<void(const std::string& frame, const TriangleMesh& hull)> on_hull;
 };
 
@@ -40,11 +43,20 @@ struct StoredFrame {
   std::vector<StoredView> views;
 };
 
+/// The frame that a take is prepared and fitted in.
+SceneFrame scene_of(const Take& take, const PrepareOptions& options);
+
+/// Lengths of the world as those of a scene.
+HullOptions in_scene(HullOptions options, const SceneFrame& scene);
+
 /// The frames of a take; the usable ones as a source for the fit.
 class PreparedTake final : public FrameSource {
  public:
   /// Throws Error naming the folder where no frame is usable.
-  PreparedTake(const Take& take, std::vector<StoredFrame> frames);
+  PreparedTake(const Take& take, const SceneFrame& scene, std::vector<StoredFrame> frames);
+
+  /// What all poses, cameras and hulls of the frames are in.
+  const SceneFrame& scene() const { return scene_; }
 
   const std::vector<StoredFrame>& frames() const { return frames_; }
   /// Which frames are without a refusal; never empty.
@@ -55,14 +67,15 @@ class PreparedTake final : public FrameSource {
   void set_landmarks(std::size_t i, const std::optional<StartLandmarks>& landmarks);
 
  private:
+  SceneFrame scene_;
   std::vector<StoredFrame> frames_;
   std::vector<std::size_t> usable_;
 };
 
-/// Where the take says that the hand is in its first frame; nothing, with a warning where it says
-/// so in vain, if that is not the first one that is used.
-std::optional<StartLandmarks> start_landmarks(const Take& take, bool from_first_frame,
-                                              const Observer& observer);
+/// Where in the scene the take says that the hand is in its first frame; nothing, with a warning
+/// where it says so in vain, if that is not the first one that is used.
+std::optional<StartLandmarks> start_landmarks(const Take& take, const SceneFrame& scene,
+                                              bool from_first_frame, const Observer& observer);
 
 /// Prepares the selected frames and gives the first one its landmarks, where the take has them.
 /// Throws Error where no frame can be fitted.

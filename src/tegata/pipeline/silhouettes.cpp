@@ -55,8 +55,12 @@ SegmentationMethod choose_segmentation(Take& take, const Observer& observer) {
   return SegmentationMethod::infrared;
 }
 
-Segmenter::Segmenter(Take& take, std::optional<SegmentationMethod> method, const Observer& observer)
+Segmenter::Segmenter(Take& take, std::optional<SegmentationMethod> method, const Observer& observer,
+                     const std::optional<SceneFrame>& scene)
     : method_(method ? *method : choose_segmentation(take, observer)), rig_(take.rig()) {
+  if (scene) {
+    for (Camera& camera : rig_) camera = scene->in_scene(camera);
+  }
   for (std::size_t c = 0; c < rig_.size(); ++c) {
     undistortions_.emplace_back(rig_[c]);
     if (method_ == SegmentationMethod::background) backgrounds_.push_back(background_of(take, c));

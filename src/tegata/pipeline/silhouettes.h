@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tegata/base/observer.h"
+#include "tegata/camera/scene_frame.h"
 #include "tegata/hull/visual_hull.h"
 #include "tegata/image/silhouette.h"
 #include "tegata/image/undistortion.h"
@@ -22,9 +23,11 @@ SegmentationMethod choose_segmentation(Take& take, const Observer& observer);
 /// Makes silhouettes of a take's pictures. What is one for all frames is made once.
 class Segmenter {
  public:
-  /// By the method that is asked for, or else by the one that suits the take. Throws Error where
-  /// the method is `background` and a camera has no picture of the empty scene.
-  Segmenter(Take& take, std::optional<SegmentationMethod> method, const Observer& observer);
+  /// By the method that is asked for, or else by the one that suits the take; its cameras are those
+  /// of the take in the world, or in the scene that is given. Throws Error where the method is
+  /// `background` and a camera has no picture of the empty scene.
+  Segmenter(Take& take, std::optional<SegmentationMethod> method, const Observer& observer,
+            const std::optional<SceneFrame>& scene = {});
 
   SegmentationMethod method() const { return method_; }
   const CameraRig& rig() const { return rig_; }

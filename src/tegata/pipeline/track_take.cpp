@@ -9,6 +9,7 @@
 #include "tegata/base/stopwatch.h"
 #include "tegata/pipeline/check_calibration.h"
 #include "tegata/pipeline/describe_frame.h"
+#include "tegata/pipeline/in_world.h"
 
 namespace tegata {
 namespace {
@@ -16,8 +17,13 @@ namespace {
 // What comes of the frames, one after the other.
 class TrackedTake {
  public:
-  TrackedTake(const FitHand& hand, const TrackTakeOptions& options, const Observer& observer)
-      : hand_(hand), options_(options), observer_(observer), tracker_(hand, options.track) {}
+  TrackedTake(const FitHand& hand, const SceneFrame& scene, const TrackTakeOptions& options,
+              const Observer& observer)
+      : hand_(hand),
+        scene_(scene),
+        options_(options),
+        observer_(observer),
+        tracker_(hand, options.track) {}
 
   void add(PreparedFrame frame) {
     for (const std::string& note : frame.notes) observer_.warn(note);
@@ -39,7 +45,7 @@ class TrackedTake {
     result.termination = tracker_.is_lost() ? "lost" : "followed to the end";
     result.seconds = {
         {"segment", segment_seconds_}, {"hull", hull_seconds_}, {"frames", track_seconds_}};
-    return result;
+    return in_world(scene_, std::move(result));
   }
   std::size_t pose_count() const { return pose_count_; }
 
@@ -73,16 +79,17 @@ class TrackedTake {
   }
 
   void make_hull(PreparedFrame& frame) {
-    add_hull(frame, options_.hull);
+    add_hull(frame, in_scene(options_.hull, scene_));
     hull_seconds_ += frame.hull_seconds;
     if (!frame.refusal.empty()) {
       observer_.warn(text("frame ", frame.name, ": ", frame.refusal));
     } else if (options_.on_hull) {
-      options_.on_hull(frame.name, frame.hull);
+      options_.on_hull(frame.name, in_world(scene_, frame.hull));
     }
   }
 
   const FitHand& hand_;
+  const SceneFrame& scene_;
   const TrackTakeOptions& options_;
   const Observer& observer_;
   HandTracker tracker_;
@@ -100,8 +107,9 @@ Result track_take(Take& take, const HandModel& hand_model, const TrackTakeOption
   refuse_bad_numbers(take);
   const FitHand hand(hand_model);
   const std::vector<std::size_t> indices = selected_frames(options.frames, take);
-  const Segmenter segmenter(take, options.segmentation, observer);
-  TrackedTake tracked(hand, options, observer);
+  const SceneFrame scene = scene_of(take, options);
+  const Segmenter segmenter(take, options.segmentation, observer, scene);
+  TrackedTake tracked(hand, scene, options, observer);
   std::vector<PreparedFrame> ahead(kFramesAtOnce);
   for_each_frame(take, indices, options.threads,
                  {.work =
@@ -112,7 +120,8 @@ Result track_take(Take& take, const HandModel& hand_model, const TrackTakeOption
                       [&](std::size_t i) {
                         PreparedFrame frame = std::exchange(ahead[i % kFramesAtOnce], {});
                         if (i == 0) {
-                          frame.frame.landmarks = start_landmarks(take, indices[0] == 0, observer);
+                          frame.frame.landmarks =
+                              start_landmarks(take, scene, indices[0] == 0, observer);
                         }
                         tracked.add(std::move(frame));
                       }},
@@ -125,6 +134,7 @@ Result track_take(Take& take, const HandModel& hand_model, const TrackTakeOption
   result.take = take.info().name;
   result.side = hand_model.skeleton.side;
   result.model_name = hand_model.name;
+  result.model_scale = options.scale.value_or(1.0);
   return result;
 }
 
