@@ -67,6 +67,19 @@ Evaluation::Frame compare_frame(const ResultFrame& fitted, const TruthFrame& tru
   return frame;
 }
 
+// Of the first frame compared: the object is fixed in the hand's frame, and so is the hand.
+std::optional<double> compare_object(const fs::path& result_folder, const fs::path& truth_folder,
+                                     const ResultFrame& fitted) {
+  const fs::path found = result_folder / "object.ply", truth = truth_folder / "object.ply";
+  if (!fs::exists(found) || !fs::exists(truth)) return std::nullopt;
+  TriangleMesh hand = read_surface(result_folder / "meshes", fitted.name, "fitted");
+  const Rigid3d hand_from_world = fitted.pose->world_from_hand.inverse();
+  for (Eigen::Vector3d& vertex : hand.vertices) vertex = hand_from_world * vertex;
+  constexpr double kReach = 0.01;
+  const auto error = held_object_error(read_ply(found), read_ply(truth), hand, kReach);
+  return error ? std::optional(kMillimetres * *error) : std::nullopt;
+}
+
 double median_of(const std::vector<double>& sorted) {
   const std::size_t middle = sorted.size() / 2;
   return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
@@ -167,6 +180,9 @@ Evaluation evaluate_result(const fs::path& result_folder, const fs::path& truth_
     }
   });
   summarise(evaluation);
+  if (!pairs.empty()) {
+    evaluation.object_error_mm = compare_object(result_folder, truth_folder, *pairs[0].fitted);
+  }
   return evaluation;
 }
 

@@ -36,11 +36,14 @@ struct Evaluation {
   /// Over `frames`, or over those that have the measure; name and status are empty. Without meaning
   /// where there are no frames.
   Frame mean, median, worst;
+  /// Of what hides the hand, where the hand is within 10 mm of it; absent where the truth or the
+  /// result has no object.
+  std::optional<double> object_error_mm;
 };
 
-/// Compares RESULT with the truth in `truth_folder` (truth.json and truth/), and reads nothing else
-/// of the take. Throws Error naming the file for anything missing or malformed, and where the two
-/// are of different hands or have no frame in common.
+/// Compares RESULT with the truth in `truth_folder` (truth.json, truth/ and object.ply), and reads
+/// nothing else of the take. Throws Error naming the file for anything missing or malformed, and
+/// where the two are of different hands or have no frame in common.
 Evaluation evaluate_result(const std::filesystem::path& result_folder,
                            const std::filesystem::path& truth_folder, int threads);
 

@@ -154,6 +154,22 @@ TEST_F(EvaluationTest, MeasuresThatDoNotApplyAreAbsentNotZero) {
   EXPECT_NE(evaluation_table(evaluation).find("-"), std::string::npos);
 }
 
+TEST_F(EvaluationTest, AnObjectIsComparedInTheHandsFrame) {
+  EXPECT_FALSE(evaluate().object_error_mm.has_value()) << "neither side has one";
+  TriangleMesh plate = shapes::unit_cube();
+  for (Eigen::Vector3d& vertex : plate.vertices) {
+    vertex = 0.2 * (vertex - Eigen::Vector3d(0.5, 0.5, 0.0)) + Eigen::Vector3d(0.0, 0.0, 0.012);
+  }
+  write_ply(plate, folder_ / "take/object.ply");
+  EXPECT_FALSE(evaluate().object_error_mm.has_value()) << "none was found";
+  shapes::move(plate, {0.0, 0.0, 0.003});
+  write_ply(plate, folder_ / "result/object.ply");
+  const Evaluation evaluation = evaluate();
+  ASSERT_TRUE(evaluation.object_error_mm.has_value());
+  EXPECT_NEAR(*evaluation.object_error_mm, 3.0, 0.3);
+  EXPECT_NE(evaluation_table(evaluation).find("held object"), std::string::npos);
+}
+
 TEST_F(EvaluationTest, MissingFilesAndOtherHandsAreSaid) {
   fs::remove(folder_ / "result/meshes/000001.ply");
   EXPECT_TRUE(says(evaluation_error(), "meshes/000001.ply", "fitted surface", "000001"));

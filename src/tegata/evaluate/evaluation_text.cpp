@@ -41,6 +41,9 @@ std::string evaluation_table(const Evaluation& evaluation) {
                       cell(measure.get(evaluation.median)), cell(measure.get(evaluation.worst)));
     }
   }
+  if (evaluation.object_error_mm) {
+    table += fmt::format("{:<26}{}\n", "held object [mm]", cell(evaluation.object_error_mm));
+  }
   table += fmt::format("{} of {} frames fitted, {} with status ok\n", evaluation.fitted_count,
                        evaluation.fitted_count + evaluation.not_fitted_count, evaluation.ok_count);
   table += count_line(evaluation.without_truth_count, "fitted but not in the truth");
@@ -62,6 +65,8 @@ std::string evaluation_json(const Evaluation& evaluation) {
   root["mean"] = any ? measures_to_json(evaluation.mean) : ordered_json();
   root["median"] = any ? measures_to_json(evaluation.median) : ordered_json();
   root["worst"] = any ? measures_to_json(evaluation.worst) : ordered_json();
+  const auto& object = evaluation.object_error_mm;
+  root["object_error_mm"] = object ? ordered_json(*object) : ordered_json();
   root["frames"] = ordered_json::array();
   for (const Evaluation::Frame& frame : evaluation.frames) {
     ordered_json entry;

@@ -84,6 +84,17 @@ double surface_error(const TriangleMesh& fitted, const TriangleMesh& truth,
                 mean_distance(on_truth, NearestSurface(fitted)));
 }
 
+std::optional<double> held_object_error(const TriangleMesh& found, const TriangleMesh& truth,
+                                        const TriangleMesh& hand, double reach) {
+  const NearestSurface hand_surface(hand);
+  std::vector<Eigen::Vector3d> held = sample_surface(truth, kSampleCount);
+  std::erase_if(held, [&](const Eigen::Vector3d& point) {
+    return hand_surface.nearest(point).distance > reach;
+  });
+  if (held.empty()) return std::nullopt;
+  return mean_distance(held, NearestSurface(found));
+}
+
 std::optional<double> vertex_error(const TriangleMesh& fitted, const TriangleMesh& truth) {
   if (fitted.vertices.size() != truth.vertices.size() || fitted.triangles != truth.triangles ||
       truth.vertices.empty()) {

@@ -24,6 +24,12 @@ std::vector<Eigen::Vector3d> sample_surface(const TriangleMesh& mesh, std::size_
 double surface_error(const TriangleMesh& fitted, const TriangleMesh& truth,
                      const Eigen::Hyperplane<double, 3>& wrist_plane);
 
+/// Mean distance [m] to the found surface of an object from the true one, over what of it lies
+/// within `reach` [m] of the hand's surface: what a hand wraps it can tell of, of the rest nothing.
+/// Nothing where the hand is not so near anywhere. All three in one frame.
+std::optional<double> held_object_error(const TriangleMesh& found, const TriangleMesh& truth,
+                                        const TriangleMesh& hand, double reach);
+
 /// Mean distance [m] of corresponding vertices; nothing where the two have not the same triangles.
 std::optional<double> vertex_error(const TriangleMesh& fitted, const TriangleMesh& truth);
 

@@ -32,6 +32,16 @@ TriangleMesh square(double corner, double side, double height, std::uint32_t cel
   return mesh;
 }
 
+TEST(HeldObjectError, OnlyWhatTheHandIsNearCounts) {
+  // Of a plate the hand is near one half; the found one is 2 mm off there and absent elsewhere.
+  const TriangleMesh truth = square(0.0, 0.1, 0.0, 20), hand = square(0.0, 0.05, 0.005, 5);
+  TriangleMesh found = square(-0.02, 0.09, -0.002, 5);
+  const auto error = held_object_error(found, truth, hand, 0.0051);
+  ASSERT_TRUE(error.has_value());
+  EXPECT_NEAR(*error, 0.002, 1e-4);
+  EXPECT_FALSE(held_object_error(found, truth, hand, 0.004).has_value());
+}
+
 TEST(SampleSurface, PointsSpreadByAreaNotByVertices) {
   TriangleMesh mesh = square(0.0, 1.0, 0.0, 1);
   shapes::append(mesh, square(10.0, 1.0, 0.0, 20));

@@ -162,6 +162,7 @@ void write_descriptions(const Room& room, const std::filesystem::path& folder) {
                             room.grasp.angles});
   }
   write_truth_json(truth, folder / "truth.json");
+  if (!room.object_in_hand.triangles.empty()) write_ply(room.object_in_hand, folder / "object.ply");
 }
 
 void check_options(const HandModel& hand, const SimulationOptions& options) {

@@ -71,7 +71,7 @@ TEST(VirtualRoom, SameSeedGivesSameBytesOnOneThreadAndOnTwo) {
   options.seed = 2;
   simulate_take(sim_test_hand(), options, folder / "other", false, {});
   const auto one = contents(folder / "one");
-  EXPECT_EQ(one.size(), 3u + 3u * (3u + 1u));
+  EXPECT_EQ(one.size(), 4u + 3u * (3u + 1u));
   EXPECT_TRUE(one == contents(folder / "two"));
   for (const auto& [name, bytes] : contents(folder / "other")) {
     ASSERT_TRUE(one.contains(name)) << name;
@@ -159,6 +159,18 @@ TEST(VirtualRoom, MaskIsUnknownWhereTheObjectIsAndElseAsTheCleanOne) {
     }
   }
   EXPECT_GT(hidden, 20u);
+}
+
+TEST(VirtualRoom, TheObjectLiesInTheHandAndIsWrittenWhereItHidesSomething) {
+  const TestFolder folder;
+  SimulationOptions options = small_options();
+  simulate_take(sim_test_hand(), options, folder / "infrared", false, {});
+  const TriangleMesh object = read_ply(folder / "infrared/object.ply");
+  EXPECT_LT(bounding_box(object).exteriorDistance(Eigen::Vector3d(0.0, 0.0, 0.0)), 0.1);
+  EXPECT_GT(enclosed_volume(object), 1e-6);
+  options.mode = SimulatedMode::clean;
+  simulate_take(sim_test_hand(), options, folder / "clean", false, {});
+  EXPECT_FALSE(fs::exists(folder / "clean/object.ply"));
 }
 
 TEST(VirtualRoom, ForearmIsSeenButIsNotInTheTruth) {
