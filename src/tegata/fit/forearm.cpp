@@ -12,6 +12,10 @@ namespace {
 
 // Of a hand of scale 1 [m]: the forearm begins so far behind the wrist and is looked at so far.
 constexpr double kBegin = 0.015, kEnd = 0.35;
+// So far behind the wrist it is sought first, and nothing of it is farther from its axis: the mean
+// radius of a strong man's is 0.053 (circumference 33 cm, Gordon et al. 1988), corners of its hull
+// by two cameras are half as far again. Where pictures end, hulls have pieces in empty space.
+constexpr double kNear = 0.12, kWidest = 0.08;
 constexpr double kRingDistance = 0.03;
 constexpr double kMargin = 0.004;  // by which the body is wider than what was seen
 constexpr std::size_t kLeastPoints = 20;
@@ -43,6 +47,44 @@ std::vector<AxisPoint> rings_of(const std::vector<AxisPoint>& points, double sca
     rings.push_back({along, *place + kMargin * scale});
   }
   return rings;
+}
+
+double from_axis(const Eigen::Vector3d& point, const Eigen::Vector3d& axis) {
+  return (point - axis.dot(point) * axis).norm();
+}
+
+// The points, in the hand's frame, that can be the forearm's, and the axis through the wrist that
+// they lie about.
+struct Forearm {
+  std::vector<Eigen::Vector3d> points;
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+
+  template <typename Belongs>
+  Forearm among(const Belongs& belongs) const {
+    Forearm found;
+    for (const Eigen::Vector3d& point : points) {
+      if (!belongs(point)) continue;
+      found.points.push_back(point);
+      found.axis += point;
+    }
+    found.axis.normalize();
+    return found;
+  }
+  bool is_seen() const { return points.size() >= kLeastPoints; }
+};
+
+// About the axis of what is near the wrist, then about that of what is found so.
+Forearm about_its_axis(const Forearm& behind, double scale) {
+  Forearm found =
+      behind.among([scale](const Eigen::Vector3d& point) { return point.norm() < kNear * scale; });
+  if (!found.is_seen()) found = behind;
+  for (int round = 0; round < 2 && found.is_seen(); ++round) {
+    const Eigen::Vector3d axis = found.axis;
+    found = behind.among([&axis, scale](const Eigen::Vector3d& point) {
+      return from_axis(point, axis) < kWidest * scale;
+    });
+  }
+  return found;
 }
 
 TriangleMesh body(const std::vector<AxisPoint>& rings, const Eigen::Vector3d& axis) {
@@ -77,20 +119,20 @@ std::optional<TriangleMesh> find_forearm(const FitHand& hand, const FitFrame& fr
                                          const Rigid3d& world_from_hand) {
   if (!frame.hull) return std::nullopt;
   const Rigid3d hand_from_world = world_from_hand.inverse();
-  std::vector<Eigen::Vector3d> behind;  // in the hand's frame, whose origin is the wrist
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Forearm hull;
   for (const Eigen::Vector3d& point : frame.hull->nearest.points()) {
-    const Eigen::Vector3d in_hand = hand_from_world * point;
-    if (in_hand.y() > -kBegin * hand.scale || in_hand.norm() > kEnd * hand.scale) continue;
-    behind.push_back(in_hand);
-    sum += in_hand;
+    hull.points.push_back(hand_from_world * point);
   }
-  if (behind.size() < kLeastPoints) return std::nullopt;
-  const Eigen::Vector3d axis = sum.normalized();
+  const Forearm behind = hull.among([&hand](const Eigen::Vector3d& point) {
+    return point.y() < -kBegin * hand.scale && point.norm() < kEnd * hand.scale;
+  });
+  if (!behind.is_seen()) return std::nullopt;
+  const Forearm forearm = about_its_axis(behind, hand.scale);
+  if (!forearm.is_seen()) return std::nullopt;
+  const Eigen::Vector3d& axis = forearm.axis;
   std::vector<AxisPoint> points;
-  for (const Eigen::Vector3d& point : behind) {
-    const double along = axis.dot(point);
-    points.push_back({along, (point - along * axis).norm()});
+  for (const Eigen::Vector3d& point : forearm.points) {
+    points.push_back({axis.dot(point), from_axis(point, axis)});
   }
   const std::vector<AxisPoint> rings = rings_of(points, hand.scale);
   if (rings.size() < 2) return std::nullopt;

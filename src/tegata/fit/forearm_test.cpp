@@ -9,9 +9,8 @@
 namespace tegata {
 namespace {
 
-// A cylinder from the wrist backwards, bent away from the hand's axis, as the hull of a frame.
-FitFrame frame_with_arm(const Rigid3d& world_from_hand, const Eigen::Vector3d& axis,
-                        double radius) {
+// A cylinder from the wrist backwards, bent away from the hand's axis.
+TriangleMesh arm_hull(const Rigid3d& world_from_hand, const Eigen::Vector3d& axis, double radius) {
   TriangleMesh arm;
   const Eigen::Vector3d across = axis.unitOrthogonal(), third = axis.cross(across);
   for (int ring = 0; ring < 20; ++ring) {
@@ -23,8 +22,12 @@ FitFrame frame_with_arm(const Rigid3d& world_from_hand, const Eigen::Vector3d& a
     }
   }
   arm.triangles = {{0, 1, 24}};
+  return arm;
+}
+
+FitFrame frame_of(const TriangleMesh& hull) {
   FitFrame frame;
-  frame.hull.emplace(arm);
+  frame.hull.emplace(hull);
   return frame;
 }
 
@@ -32,13 +35,32 @@ TEST(Forearm, FollowsTheHullBehindABentWrist) {
   const FitHand hand(test::coarse_hand());
   const Rigid3d pose = test::grasping_pose(0.3).world_from_hand;
   const Eigen::Vector3d axis = Eigen::Vector3d(0.3, -1.0, 0.4).normalized();
-  const auto forearm = find_forearm(hand, frame_with_arm(pose, axis, 0.03), pose);
+  const auto forearm = find_forearm(hand, frame_of(arm_hull(pose, axis, 0.03)), pose);
   ASSERT_TRUE(forearm.has_value());
   EXPECT_TRUE(inspect_topology(*forearm).closed);
   for (const Eigen::Vector3d& vertex : forearm->vertices) {
     const Eigen::Vector3d in_hand = pose.inverse() * vertex;
     EXPECT_GT(axis.dot(in_hand), 0.0) << "reaches into the hand";
     EXPECT_NEAR((in_hand - axis.dot(in_hand) * axis).norm(), 0.034, 0.006);
+  }
+}
+
+TEST(Forearm, PiecesInEmptySpaceAreNoneOfIt) {
+  const FitHand hand(test::coarse_hand());
+  const Rigid3d pose = test::grasping_pose(0.3).world_from_hand;
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.3, -1.0, 0.4).normalized();
+  TriangleMesh hull = arm_hull(pose, axis, 0.03);
+  const std::size_t arm_count = hull.vertices.size();
+  for (std::size_t i = 0; i < 2 * arm_count; ++i) {  // a slab as large, beside the far half
+    const double along = static_cast<double>(i) / static_cast<double>(2 * arm_count);
+    hull.vertices.push_back(pose * Eigen::Vector3d(0.12 + 0.1 * along, -0.15, 0.02 * along));
+    hull.normals.push_back(Eigen::Vector3d::UnitX());
+  }
+  const auto forearm = find_forearm(hand, frame_of(hull), pose);
+  ASSERT_TRUE(forearm.has_value());
+  for (const Eigen::Vector3d& vertex : forearm->vertices) {
+    const Eigen::Vector3d in_hand = pose.inverse() * vertex;
+    EXPECT_LT((in_hand - axis.dot(in_hand) * axis).norm(), 0.045);
   }
 }
 
