@@ -151,6 +151,8 @@ void run(Arguments& arguments) {
 
   FitTakeOptions& options = arguments.options;
   options.threads = arguments.common.threads;
+  // Where the result goes there is room for the frames as well.
+  options.scratch_folder = folder.path().parent_path();
   options.fit.grasp = grasp_constraint_from_name(arguments.grasp);
   if (!arguments.no_report && viewer_page().empty()) {
     arguments.no_report = true;

@@ -100,6 +100,7 @@ void run(Arguments& arguments) {
   hand.name = arguments.name.empty() ? output.stem().string() : arguments.name;
   hand.side = side_of(takes, arguments.side);
   arguments.options.threads = arguments.common.threads;
+  arguments.options.scratch_folder = output.has_parent_path() ? output.parent_path() : ".";
   arguments.options.fit.grasp = grasp_constraint_from_name(arguments.grasp);
   PersonalHand person;
   {

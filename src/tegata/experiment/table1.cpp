@@ -41,7 +41,7 @@ struct TakeErrors {
 WeightRecord record_of(const FitHand& hand, const PreparedTake& take, const PaperFit& fit) {
   WeightRecord record;
   for (std::size_t k = 0; k < fit.poses.size(); ++k) {
-    const PreparedFrame frame = take.frames()[take.usable()[k]].restored();
+    const PreparedFrame frame = take.frames().restored(take.usable()[k]);
     record.frames.push_back({frame.name, fit.weights[k],
                              bone_support(hand, hand.posed(fit.poses[k]), frame.frame.views)});
   }

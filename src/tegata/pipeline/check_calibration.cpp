@@ -53,9 +53,9 @@ RigOutlines outlines_of(const PreparedTake& prepared, const CameraRig& rig) {
   RigOutlines outlines;
   for (const std::size_t i : spread(prepared.usable(), kMostFrames)) {
     outlines.emplace_back(rig.size());
-    for (const StoredView& view : prepared.frames()[i].views) {
-      outlines.back()[camera_index(rig, view.camera().name)] =
-          outline_rays(view.silhouette(), view.camera());
+    for (const HullView& view : prepared.frames().views(i)) {
+      outlines.back()[camera_index(rig, view.camera.name)] =
+          outline_rays(view.silhouette, view.camera);
     }
   }
   return outlines;

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/pipeline/fit_take.h"
 
-#include <functional>
-#include <numeric>
-
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
 #include "tegata/hand/scaled_hand.h"
@@ -17,9 +14,10 @@
 namespace tegata {
 namespace {
 
-double sum_of(const std::vector<StoredFrame>& frames, double PreparedFrame::*seconds) {
-  return std::transform_reduce(frames.begin(), frames.end(), 0.0, std::plus<>(),
-                               [seconds](const StoredFrame& frame) { return frame.rest.*seconds; });
+double sum_of(const FrameStore& frames, double PreparedFrame::*seconds) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < frames.size(); ++i) sum += frames.brief(i).*seconds;
+  return sum;
 }
 
 // A frame without the views that contradicted its others.
@@ -66,13 +64,14 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   result.object_confidence = grasp.object.confidence;
   result.iterations = grasp.iterations;
   result.termination = termination_name(grasp.termination);
-  for (const StoredFrame& from : prepared.frames()) {
-    result.frames.push_back(describe_missing(from.rest, from.rest.refusal));
+  for (std::size_t f = 0; f < prepared.frames().size(); ++f) {
+    const PreparedFrame& from = prepared.frames().brief(f);
+    result.frames.push_back(describe_missing(from, from.refusal));
   }
   parallel_for(prepared.size(), options.threads, [&](std::size_t k) {
     const std::size_t f = prepared.usable()[k];
     result.frames[f] = describe_frame(hand, grasp.poses[k],
-                                      without(prepared.frames()[f].restored(), grasp.left_out[k]));
+                                      without(prepared.frames().restored(f), grasp.left_out[k]));
   });
   result.seconds["segment"] = sum_of(prepared.frames(), &PreparedFrame::segment_seconds);
   result.seconds["hull"] = sum_of(prepared.frames(), &PreparedFrame::hull_seconds);

@@ -49,6 +49,23 @@ TEST(FitTake, MasksOfAKnownHandGiveItsPose) {
   EXPECT_EQ(result.frames[2].views.size(), 2U) << "the last camera lacks the last frame";
 }
 
+TEST(FitTake, FramesThatWaitOnDiskGiveTheSameResultAndLeaveNothingThere) {
+  const TestFolder folder, scratch;
+  test::write_mask_take(folder.path(), 3);
+  write_landmarks(folder.path());
+  Take take = Take::open(folder.path());
+  FitTakeOptions options;
+  const Result in_memory = fit_take(take, test::small_hand(), options, {});
+  options.scratch_folder = scratch.path();
+  const Result on_disk = fit_take(take, test::small_hand(), options, {});
+  EXPECT_EQ(on_disk.grasp_angles, in_memory.grasp_angles);
+  for (std::size_t f = 0; f < 3; ++f) {
+    EXPECT_EQ(on_disk.frames[f].keypoints, in_memory.frames[f].keypoints) << "frame " << f;
+    EXPECT_EQ(on_disk.frames[f].silhouette_iou, in_memory.frames[f].silhouette_iou);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.path()));
+}
+
 TEST(FitTake, AFrameOfOneCameraKeepsItsEntryWithoutAPose) {
   const TestFolder folder;
   test::write_mask_take(folder.path(), 2);

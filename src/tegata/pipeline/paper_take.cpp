@@ -11,7 +11,7 @@ namespace tegata {
 std::vector<PaperFrame> paper_frames(const PreparedTake& take) {
   std::vector<PaperFrame> frames;
   for (std::size_t k = 0; k < take.size(); ++k) {
-    frames.emplace_back(take.frame(k), take.frames()[take.usable()[k]].rest.hull);
+    frames.emplace_back(take.frame(k), take.frames().hull(take.usable()[k]));
   }
   return frames;
 }

@@ -10,12 +10,12 @@
 namespace tegata {
 namespace {
 
-std::vector<StoredFrame> prepare_frames(Take& take, const SceneFrame& scene,
-                                        const std::vector<std::size_t>& indices,
-                                        const PrepareOptions& options, const Observer& observer) {
+FrameStore prepare_frames(Take& take, const SceneFrame& scene,
+                          const std::vector<std::size_t>& indices, const PrepareOptions& options,
+                          const Observer& observer) {
   const Segmenter segmenter(take, options.segmentation, observer, scene);
   const HullOptions hull = in_scene(options.hull, scene);
-  std::vector<StoredFrame> stored;
+  FrameStore stored(options.scratch_folder);
   std::vector<PreparedFrame> ahead(kFramesAtOnce);
   for_each_frame(take, indices, options.threads,
                  {.work =
@@ -31,7 +31,7 @@ std::vector<StoredFrame> prepare_frames(Take& take, const SceneFrame& scene,
                         } else if (options.on_hull) {
                           options.on_hull(frame.name, in_world(scene, frame.hull));
                         }
-                        stored.emplace_back(std::move(frame));
+                        stored.add(std::move(frame));
                       }},
                  observer);
   return stored;
@@ -61,39 +61,24 @@ std::optional<StartLandmarks> start_landmarks(const Take& take, const SceneFrame
                         scene.in_scene(landmarks.little_mcp)};
 }
 
-StoredFrame::StoredFrame(PreparedFrame prepared) : rest(std::move(prepared)) {
-  for (const FitView& view : rest.frame.views) views.emplace_back(view);
-  rest.frame.views.clear();
-  rest.frame.views.shrink_to_fit();
-  rest.frame.hull.reset();
-}
-
-PreparedFrame StoredFrame::restored() const {
-  PreparedFrame whole = rest;
-  for (const StoredView& view : views) whole.frame.views.push_back(view.restored());
-  if (whole.refusal.empty()) whole.frame.hull.emplace(whole.hull);
-  return whole;
-}
-
-PreparedTake::PreparedTake(const Take& take, const SceneFrame& scene,
-                           std::vector<StoredFrame> frames)
+PreparedTake::PreparedTake(const Take& take, const SceneFrame& scene, FrameStore frames)
     : scene_(scene), frames_(std::move(frames)) {
   for (std::size_t i = 0; i < frames_.size(); ++i) {
-    if (frames_[i].rest.refusal.empty()) usable_.push_back(i);
+    if (frames_.brief(i).refusal.empty()) usable_.push_back(i);
   }
   if (usable_.empty()) {
     throw Error(take.folder().string(), ": none of ", frames_.size(),
-                " frames can be fitted; the first, ", frames_.front().rest.name, ": ",
-                frames_.front().rest.refusal);
+                " frames can be fitted; the first, ", frames_.brief(0).name, ": ",
+                frames_.brief(0).refusal);
   }
 }
 
 std::shared_ptr<const FitFrame> PreparedTake::frame(std::size_t i) const {
-  return std::make_shared<const FitFrame>(frames_[usable_[i]].restored().frame);
+  return std::make_shared<const FitFrame>(frames_.restored(usable_[i]).frame);
 }
 
 void PreparedTake::set_landmarks(std::size_t i, const std::optional<StartLandmarks>& landmarks) {
-  frames_[usable_[i]].rest.frame.landmarks = landmarks;
+  frames_.set_landmarks(usable_[i], landmarks);
 }
 
 PreparedTake prepare_take(Take& take, const PrepareOptions& options, const Observer& observer) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,10 +13,10 @@
 #include "tegata/base/observer.h"
 #include "tegata/camera/scene_frame.h"
 #include "tegata/fit/frame_source.h"
-#include "tegata/fit/stored_view.h"
 #include "tegata/hull/visual_hull.h"
 #include "tegata/mesh/triangle_mesh.h"
 #include "tegata/pipeline/frame_selection.h"
+#include "tegata/pipeline/frame_store.h"
 #include "tegata/pipeline/prepare_frame.h"
 #include "tegata/take/take.h"
 
@@ -29,18 +30,10 @@ struct PrepareOptions {
   /// The hand's lengths are multiplied by it; absent: it is to be estimated.
   std::optional<double> scale = 1.0;
   int threads = 0;
+  /// Frames wait in a nameless file in it (FrameStore); empty: in memory, which grows with them.
+  std::filesystem::path scratch_folder;
   /// Called in the order of the frames with each frame's simplified hull, in the world.
   std::function<void(const std::string& frame, const TriangleMesh& hull)> on_hull;
-};
-
-/// A prepared frame in little memory.
-struct StoredFrame {
-  explicit StoredFrame(PreparedFrame prepared);
-  /// The whole frame again.
-  PreparedFrame restored() const;
-
-  PreparedFrame rest;  ///< all but the frame's views and hull, which is made of the mesh again
-  std::vector<StoredView> views;
 };
 
 /// The frame that a take is prepared and fitted in.
@@ -53,12 +46,12 @@ HullOptions in_scene(HullOptions options, const SceneFrame& scene);
 class PreparedTake final : public FrameSource {
  public:
   /// Throws Error naming the folder where no frame is usable.
-  PreparedTake(const Take& take, const SceneFrame& scene, std::vector<StoredFrame> frames);
+  PreparedTake(const Take& take, const SceneFrame& scene, FrameStore frames);
 
   /// What all poses, cameras and hulls of the frames are in.
   const SceneFrame& scene() const { return scene_; }
 
-  const std::vector<StoredFrame>& frames() const { return frames_; }
+  const FrameStore& frames() const { return frames_; }
   /// Which frames are without a refusal; never empty.
   const std::vector<std::size_t>& usable() const { return usable_; }
 
@@ -68,7 +61,7 @@ class PreparedTake final : public FrameSource {
 
  private:
   SceneFrame scene_;
-  std::vector<StoredFrame> frames_;
+  FrameStore frames_;
   std::vector<std::size_t> usable_;
 };
 
