@@ -216,13 +216,16 @@ TEST_F(BadInput, FailedFitWithForceKeepsTheOldResult) {
 }
 
 TEST_F(BadInput, FitLeavesNothingWhereAFileCannotBeWrittenWhole) {
-  // Too small for result.json, for a mesh, and for the animation.
-  for (const std::uint64_t largest : {1000u, 20000u, 100000u}) {
-    const ProgramRun run = run_program(
-        {"fit", take().string(), "-o", result().string(), "--quiet", "--hulls"}, largest);
+  // Too small for a hull, for the frames that wait on disk, for a mesh, and for the animation.
+  const std::vector<std::pair<std::uint64_t, std::string>> limits = {
+      {1000, "hulls"}, {8000, "a temporary file"}, {30000, "meshes"}, {100000, "hand.glb"}};
+  for (const auto& [largest, what] : limits) {
+    const ProgramRun run = run_program({"fit", take().string(), "-o", result().string(), "--quiet",
+                                        "--hulls", "--triangles", "100"},
+                                       largest);
     EXPECT_EQ(run.exit_code, 1) << largest;
     ASSERT_EQ(run.error_lines().size(), 1u) << run.err;
-    EXPECT_TRUE(says(run.error_lines()[0], "tegata: error: ", result().filename().string()));
+    EXPECT_TRUE(says(run.error_lines()[0], "tegata: error: ", folder_.path().string(), what));
     EXPECT_EQ(names_in(folder_.path()), std::vector<std::string>{"take"}) << largest;
   }
 }

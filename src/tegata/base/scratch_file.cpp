@@ -52,8 +52,8 @@ ScratchFile::Place ScratchFile::append(std::span<const std::byte> bytes) {
         ::pwrite(file_, bytes.data(), bytes.size(), static_cast<::off_t>(size_));
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) {
-      throw Error(folder_.string(), ": a temporary file in it cannot be written whole, of which ",
-                  (size_ + bytes.size()) / 1000000, " MB are needed so far: ", system_reason());
+      throw Error(folder_.string(),
+                  ": a temporary file in it cannot be written whole: ", system_reason());
     }
     size_ += static_cast<std::uint64_t>(count);
     bytes = bytes.subspan(static_cast<std::size_t>(count));
