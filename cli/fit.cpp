@@ -23,6 +23,7 @@
 #include "tegata/mesh/mesh_file.h"
 #include "tegata/pipeline/find_side.h"
 #include "tegata/pipeline/fit_take.h"
+#include "tegata/pipeline/frame_selection.h"
 #include "tegata/pipeline/track_take.h"
 #include "tegata/take/staged_folder.h"
 
@@ -49,12 +50,19 @@ struct Arguments {
 };
 
 /// Has the fit hand over its hulls: whole to the folder where asked for, coarse to the report.
-void keep_hulls(FitTakeOptions& options, const std::filesystem::path& folder, std::size_t count,
+void keep_hulls(FitTakeOptions& options, const std::filesystem::path& folder, const Take& take,
                 std::map<std::string, TriangleMesh>* for_report) {
   if (!folder.empty()) std::filesystem::create_directory(folder);
-  options.on_hull = [=](const std::string& frame, const TriangleMesh& hull) {
+  std::vector<std::string> frames;
+  for (const std::size_t i : selected_frames(options.frames, take)) {
+    frames.push_back(take.frame_names()[i]);
+  }
+  options.on_hull = [folder, for_report, count = frames.size(), wanted = frames_with_hull(frames)](
+                        const std::string& frame, const TriangleMesh& hull) {
     if (!folder.empty()) write_ply(hull, folder / (frame + ".ply"));
-    if (for_report != nullptr) (*for_report)[frame] = report_hull(hull, count);
+    if (for_report != nullptr && wanted.contains(frame)) {
+      (*for_report)[frame] = report_hull(hull, count);
+    }
   };
 }
 
@@ -161,8 +169,8 @@ void run(Arguments& arguments) {
     }
   }
   std::map<std::string, TriangleMesh> hulls;
-  keep_hulls(options, arguments.hulls ? folder.path() / "hulls" : std::filesystem::path{},
-             take.frame_names().size(), arguments.no_report ? nullptr : &hulls);
+  keep_hulls(options, arguments.hulls ? folder.path() / "hulls" : std::filesystem::path{}, take,
+             arguments.no_report ? nullptr : &hulls);
   Result result;
   {
     Progress progress(arguments.common.quiet);

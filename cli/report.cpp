@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
 
 #include "command.h"
 #include "progress.h"
@@ -30,12 +31,19 @@ struct Arguments {
   CommonOptions common;
 };
 
+/// The frames of a result whose hulls its page can carry.
+std::set<std::string> wanted_hulls(const Result& result) {
+  std::vector<std::string> frames;
+  for (const ResultFrame& frame : result.frames) frames.push_back(frame.name);
+  return frames_with_hull(frames);
+}
+
 /// The hulls that fit wrote with --hulls.
 std::map<std::string, TriangleMesh> written_hulls(const fs::path& folder, const Result& result) {
   std::map<std::string, TriangleMesh> hulls;
-  for (const ResultFrame& frame : result.frames) {
-    const fs::path file = folder / (frame.name + ".ply");
-    if (fs::exists(file)) hulls[frame.name] = report_hull(read_ply(file), result.frames.size());
+  for (const std::string& frame : wanted_hulls(result)) {
+    const fs::path file = folder / (frame + ".ply");
+    if (fs::exists(file)) hulls[frame] = report_hull(read_ply(file), result.frames.size());
   }
   return hulls;
 }
@@ -66,11 +74,12 @@ std::map<std::string, TriangleMesh> carved_hulls(Take& take, const Result& resul
   options.frames = frames_of(result, take);
   options.segmentation = arguments.segmentation;
   options.threads = arguments.common.threads;
+  const std::set<std::string> wanted = wanted_hulls(result);
   std::map<std::string, TriangleMesh> hulls;
   hull_take(
       take, options,
       [&](const TakeHull& hull) {
-        if (hull.refusal.empty()) {
+        if (hull.refusal.empty() && wanted.contains(hull.frame)) {
           hulls[hull.frame] = report_hull(hull.mesh, result.frames.size());
         }
       },

@@ -178,18 +178,23 @@ ordered_json frame_json(const ReportContent& content, const FrameDoubt& doubt) {
   return json;
 }
 
+/// Of so many frames, whatever their hulls: of how many one keeps it.
+std::size_t least_hull_step(std::size_t frame_count) {
+  return std::max<std::size_t>(1, (frame_count + kMostHulls - 1) / kMostHulls);
+}
+
 /// Of how many frames one keeps its hull, so that all of them fit into the page.
 std::size_t hull_step(const ReportContent& content) {
   const std::vector<ResultFrame>& frames = content.result.frames;
-  for (std::size_t step = 1;; ++step) {
-    std::size_t count = 0, bytes = 0;
+  const std::size_t least = least_hull_step(frames.size());
+  for (std::size_t step = least;; step += least) {
+    std::size_t bytes = 0;
     for (std::size_t i = 0; i < frames.size(); i += step) {
       const auto hull = content.hulls.find(frames[i].name);
       if (hull == content.hulls.end()) continue;
-      ++count;
       bytes += 4 * (6 * hull->second.vertices.size() + 6 * hull->second.triangles.size()) / 3;
     }
-    if ((count <= kMostHulls && bytes <= kMostHullBytes) || step >= frames.size()) return step;
+    if (bytes <= kMostHullBytes || step >= frames.size()) return step;
   }
 }
 
@@ -219,6 +224,13 @@ ordered_json frames_json(const ReportContent& content, const std::vector<FrameDo
 }
 
 }  // namespace
+
+std::set<std::string> frames_with_hull(const std::vector<std::string>& frames) {
+  std::set<std::string> chosen;
+  const std::size_t step = least_hull_step(frames.size());
+  for (std::size_t i = 0; i < frames.size(); i += step) chosen.insert(frames[i]);
+  return chosen;
+}
 
 TriangleMesh report_hull(const TriangleMesh& hull, std::size_t frame_count) {
   constexpr std::size_t kAllTriangles = 150'000, kFewest = 400, kMost = 2000;

@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "tegata/camera/camera.h"
 #include "tegata/export/report_pictures.h"
@@ -22,6 +24,10 @@ struct ReportContent {
   ReportPictures pictures;
   std::map<std::string, TriangleMesh> hulls;  ///< by frame, see report_hull()
 };
+
+/// Whose hulls a page of these frames can carry: those of all, or of a long take of evenly spread
+/// ones. Others need not be kept for it.
+std::set<std::string> frames_with_hull(const std::vector<std::string>& frames);
 
 /// A visual hull as coarse as a page of so many frames can carry it.
 TriangleMesh report_hull(const TriangleMesh& hull, std::size_t frame_count);

@@ -136,7 +136,9 @@ TEST(ReportJson, FineHandsAndLongTakesAreMadeCoarserAndItIsSaid) {
       built_in_hand(HandShape{}, Side::right, {.cell_size = 0.002, .triangle_count = 14000});
   ASSERT_GT(fine.rest_surface.triangles.size(), 12'100u);
   std::map<std::string, TriangleMesh> hulls;
+  std::vector<std::string> names;
   for (const ResultFrame& frame : result.frames) {
+    names.push_back(frame.name);
     hulls[frame.name] = report_hull(coarse_hand().rest_surface, result.frames.size());
   }
   const json report = json::parse(report_json({result, fine, {}, {}, hulls}));
@@ -144,6 +146,11 @@ TEST(ReportJson, FineHandsAndLongTakesAreMadeCoarserAndItIsSaid) {
   EXPECT_TRUE(report["frames"][3].contains("hull"));
   EXPECT_FALSE(report["frames"][4].contains("hull"));
   EXPECT_EQ(report["limits"].size(), 3u) << report["limits"];
+  const std::set<std::string> wanted = frames_with_hull(names);
+  std::erase_if(hulls, [&](const auto& hull) { return !wanted.contains(hull.first); });
+  EXPECT_LE(hulls.size(), 300u);
+  EXPECT_EQ(json::parse(report_json({result, fine, {}, {}, hulls})), report)
+      << "no other hull is needed";
 }
 
 }  // namespace
