@@ -72,7 +72,11 @@ constexpr double kRadii[kDigitCount][4] = {{12.5, 10.8, 10.2, 7.4},
                                            {9.4, 8.1, 7.0, 5.9}};
 constexpr double kDigitFlatness = 0.88;  // depth to breadth
 constexpr double kNailFlatness = 0.80;   // the same at the tip
-constexpr double kWaist = 0.93;          // breadth halfway between joints to that of a cone
+// The last bone's line ends so far below the middle of the tip without its pad [mm]: at the end of
+// the bone the nail lies on half its thickness, 2 mm, and 2.4 mm of nail bed (Moreira et al.,
+// Radiology of clubbed fingers, Clinical Anatomy 21, 2008).
+constexpr double kNailRise = 0.5;
+constexpr double kWaist = 0.93;  // breadth halfway between joints to that of a cone
 
 }  // namespace
 
@@ -150,13 +154,13 @@ void HandSolid::add_finger(const Skeleton& skeleton, const Transforms& transform
     };
     const bool is_last = i == 2;
     const Eigen::Vector3d end = is_last ? Eigen::Vector3d(far - far_radius * along) : far;
-    // The bone, thickest at the joints; the last one sinks towards the pad below the nail.
-    const Eigen::Vector3d sunk = end + (is_last ? 1.0 : 0.0) * kMillimetre * palmar;
-    const Eigen::Vector3d middle = 0.5 * (near + sunk);
+    // The bone, thickest at the joints; the last one rises towards the nail.
+    const Eigen::Vector3d risen = end - (is_last ? kNailRise : 0.0) * kMillimetre * palmar;
+    const Eigen::Vector3d middle = 0.5 * (near + risen);
     const double waist = kWaist * 0.5 * (near_radius + far_radius);
     const double flatness = is_last ? kNailFlatness : kDigitFlatness;
     add({near, middle, near_radius, waist}, kDigitFlatness);
-    add({middle, sunk, waist, far_radius}, flatness);
+    add({middle, risen, waist, far_radius}, flatness);
     // The flesh on its palmar side.
     const Eigen::Vector3d flesh = 2.4 * kMillimetre * palmar, way = end - near;
     add({near + 0.34 * way + flesh, near + (is_last ? 0.9 : 0.66) * way + flesh, 0.9 * near_radius,

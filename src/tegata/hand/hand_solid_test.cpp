@@ -89,6 +89,21 @@ TEST(HandSolid, HoldsEveryJoint) {
   }
 }
 
+// Half the thickness of the last bone and its nail bed: where the surface sinks below, straight
+// fingers look bent at their last joint.
+TEST(HandSolid, NailLiesOnTheEndOfTheLastBone) {
+  constexpr double kBoneEnd = 0.82;  // of the way to the tip
+  constexpr double kBoneAndBed = 0.0044;
+  const Skeleton skeleton = right_skeleton(HandShape());
+  const HandSolid solid(skeleton, JointAngles::Zero());
+  for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
+    const Eigen::Vector3d& joint = skeleton.keypoints[3 + 4 * digit];
+    const Eigen::Vector3d& tip = skeleton.keypoints[4 + 4 * digit];
+    const Eigen::Vector3d end = joint + kBoneEnd * (tip - joint);
+    EXPECT_GT(solid.field(end + kBoneAndBed * neutral_digit(digit).back), 0.0) << digit;
+  }
+}
+
 TEST(HandSolid, FingersDoNotTouchWhereTheyAreMeshed) {
   const Skeleton skeleton = right_skeleton(HandShape());
   const HandSolid solid = mean_solid();
