@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/hand/skeleton.h"
 
+#include <cmath>
+
 #include "tegata/base/angle.h"
 
 namespace tegata {
@@ -30,6 +32,12 @@ constexpr Range kFingerRanges[4] = {
     {-3.0, 105.0},  // PIP flexion: AAOS 100, Hume 105
     {-5.0, 85.0},   // DIP flexion: AAOS 90 and extension 10, Hume 85
 };
+
+Eigen::Quaterniond turn_by(const Skeleton& skeleton, const JointAngles& angles, int angle) {
+  const double half = 0.5 * angles[angle];
+  const Eigen::Vector3d imaginary = std::sin(half) * skeleton.axes[static_cast<std::size_t>(angle)];
+  return {std::cos(half), imaginary.x(), imaginary.y(), imaginary.z()};
+}
 
 // A hand at rest, in degrees: the fingers curl more from the index to the little finger, as the
 // flexors' resting tension makes them do.
@@ -104,21 +112,21 @@ Skeleton mirrored(const Skeleton& skeleton) {
   return other;
 }
 
-std::array<Rigid3d, kBoneCount> bone_transforms(const Skeleton& skeleton,
-                                                const JointAngles& angles) {
+std::array<Rigid3d, kBoneCount> bone_transforms(const Skeleton& skeleton, const JointAngles& angles,
+                                                const Rigid3d& palm) {
   std::array<Rigid3d, kBoneCount> transforms;
+  transforms[0] = palm;
   for (int bone = 1; bone < kBoneCount; ++bone) {
-    transforms[static_cast<std::size_t>(bone)] =
-        transforms[static_cast<std::size_t>(parent_bone(bone))];
-  }
-  for (int angle = 0; angle < kAngleCount; ++angle) {
-    const int bone = bone_of_angle(angle);
-    // A joint's first angle starts from the bone above, its second from what the first has made.
+    const Rigid3d& parent = transforms[static_cast<std::size_t>(parent_bone(bone))];
+    const Eigen::Vector3d& center =
+        skeleton.keypoints[static_cast<std::size_t>(proximal_keypoint(bone))];
+    const int digit = (bone - 1) / 3, joint = (bone - 1) % 3;
     Rigid3d& moved = transforms[static_cast<std::size_t>(bone)];
-    if (angle % 4 > 1) moved = transforms[static_cast<std::size_t>(parent_bone(bone))];
-    const auto center = static_cast<std::size_t>(proximal_keypoint(bone));
-    moved = moved * rotation_about(skeleton.keypoints[center],
-                                   skeleton.axes[static_cast<std::size_t>(angle)] * angles[angle]);
+    moved.rotation = parent.rotation;
+    if (joint == 0) moved.rotation *= turn_by(skeleton, angles, 4 * digit);
+    moved.rotation *= turn_by(skeleton, angles, 4 * digit + 1 + joint);
+    moved.rotation.normalize();
+    moved.translation = parent * center - moved.rotation * center;
   }
   return transforms;
 }

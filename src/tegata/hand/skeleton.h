@@ -86,9 +86,9 @@ struct Skeleton {
 Skeleton mirrored(const Skeleton& skeleton);
 
 /// For each bone the transform, in the hand's frame, from where it lies at zero angles to where the
-/// angles take it. The palm's is the identity.
-std::array<Rigid3d, kBoneCount> bone_transforms(const Skeleton& skeleton,
-                                                const JointAngles& angles);
+/// angles take it. The palm's is the identity, or wherever it is taken with all of them.
+std::array<Rigid3d, kBoneCount> bone_transforms(const Skeleton& skeleton, const JointAngles& angles,
+                                                const Rigid3d& palm = {});
 
 /// A turn that one angle makes, in the hand's frame at given angles.
 struct JointAxis {
@@ -96,7 +96,7 @@ struct JointAxis {
 };
 /// The axes of all angles where the angles take them.
 std::array<JointAxis, kAngleCount> joint_axes(const Skeleton& skeleton, const JointAngles& angles);
-/// The same, where bone_transforms() of the angles are there already.
+/// The same, where bone_transforms() of the angles are there already; taken where the palm is.
 std::array<JointAxis, kAngleCount> joint_axes(const Skeleton& skeleton,
                                               const std::array<Rigid3d, kBoneCount>& transforms);
 

@@ -40,7 +40,7 @@ class SkinMotion {
 
  private:
   Skeleton skeleton_;
-  std::array<Rigid3d, kBoneCount> zero_from_rest_;  ///< of each bone
+  std::array<Bone, kBoneCount> zero_from_rest_;
   std::array<Digit, kDigitCount> digits_ = {};
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
 };
