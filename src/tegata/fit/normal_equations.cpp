@@ -4,32 +4,60 @@
 
 #include <Eigen/Cholesky>
 
+#include "tegata/fit/column_elimination.h"
+
 namespace tegata {
 namespace {
 
 constexpr int kP = kPoseParameterCount;
-using PoseMatrix = Eigen::Matrix<double, kP, kP>;
 using PoseVector = Eigen::Matrix<double, kP, 1>;
-using PoseCross = Eigen::Matrix<double, Eigen::Dynamic, kP, 0, ArrowSystem::kMostShared, kP>;
+using SharedColumns = ColumnElimination<ArrowSystem::kMostShared, ArrowSystem::kMostShared + 1>;
 
-// Marquardt's damping scales with the diagonal; the floor keeps a parameter that nothing is known
-// of from making the matrix singular.
-template <typename Matrix>
-Matrix damped(const Matrix& lower, double damping) {
-  Matrix full = lower.template selfadjointView<Eigen::Lower>();
-  const double floor = 1e-12 * full.diagonal().maxCoeff() + 1e-300;
-  full.diagonal() += (damping * full.diagonal().array() + floor).matrix();
-  return full;
+// A frame's pose, eliminated: rows are pose, angles, shape and the gradient.
+struct PoseColumns : ColumnElimination<kP, kP + ArrowSystem::kMostShared + 1> {
+  PoseColumns(const FrameEquations& frame, double damping)
+      : ColumnElimination(kHandParameterCount + frame.shape_gradient.size() + 1) {
+    const Eigen::Index shape_count = frame.shape_gradient.size();
+    for (int j = 0; j < kP; ++j) {
+      auto to = column(j);
+      to.head<kHandParameterCount>() = frame.hessian.col(j);
+      if (shape_count > 0) to.segment(kHandParameterCount, shape_count) = frame.shape_cross.col(j);
+      to[to.size() - 1] = frame.gradient[j];
+    }
+    damp(kP, damping);
+    eliminate(kP);
+  }
+};
+
+// What is left of a frame's step once the others' is known.
+PoseVector pose_step(const PoseColumns& columns, const ArrowSystem::SharedVector& shared) {
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kP + ArrowSystem::kMostShared, 1> step(kP +
+                                                                                     shared.size());
+  step.tail(shared.size()) = shared;
+  columns.substitute_back(step);
+  return step.head<kP>();
 }
 
-PoseMatrix pose_block(const FrameEquations& frame, double damping) {
-  return damped(PoseMatrix(frame.hessian.topLeftCorner<kP, kP>()), damping);
+ArrowStep step_of(const ArrowSystem::SharedVector& shared) {
+  ArrowStep step;
+  step.angles = shared.head<kAngleCount>();
+  step.shape = shared.tail(shared.size() - kAngleCount);
+  return step;
 }
 
-PoseCross cross_block(const FrameEquations& frame) {
-  PoseCross cross(kAngleCount + frame.shape_cross.rows(), kP);
-  cross << frame.hessian.bottomLeftCorner<kAngleCount, kP>(), frame.shape_cross.leftCols<kP>();
-  return cross;
+SharedColumns damped_columns(const ArrowSystem::SharedMatrix& hessian,
+                             const ArrowSystem::SharedVector& gradient, double damping) {
+  SharedColumns columns(gradient.size() + 1);
+  for (Eigen::Index j = 0; j < gradient.size(); ++j) {
+    columns.column(j).head(gradient.size()) = hessian.col(j);
+    columns.column(j)[gradient.size()] = gradient[j];
+  }
+  columns.damp(gradient.size(), damping);
+  return columns;
+}
+
+void subtract(const PoseColumns& pose, Eigen::Index shared_count, SharedColumns& shared) {
+  for (Eigen::Index j = 0; j < shared_count; ++j) pose.subtract_from(shared, j, kP + j);
 }
 
 }  // namespace
@@ -97,31 +125,42 @@ ArrowSystem::ArrowSystem(std::span<const FrameEquations> frames, const FrameEqua
 }
 
 ArrowSystem::Reduced ArrowSystem::reduced(double damping) const {
-  Reduced left{damped(shared_hessian_, damping), -shared_gradient_};
-  for (const FrameEquations& frame : frames_) {
-    const Eigen::LDLT<PoseMatrix> pose(pose_block(frame, damping));
-    const PoseCross cross = cross_block(frame);
-    left.matrix.noalias() -= cross * pose.solve(cross.transpose());
-    left.right_side.noalias() += cross * pose.solve(PoseVector(frame.gradient.head<kP>()));
+  const Eigen::Index count = shared_gradient_.size();
+  SharedColumns columns = damped_columns(shared_hessian_, shared_gradient_, damping);
+  for (const FrameEquations& frame : frames_) subtract(PoseColumns(frame, damping), count, columns);
+  Reduced left{SharedMatrix(count, count), SharedVector(count)};
+  for (Eigen::Index j = 0; j < count; ++j) {
+    left.matrix.col(j) = columns.column(j).head(count);
+    left.right_side[j] = -columns.column(j)[count];
   }
+  left.matrix.triangularView<Eigen::StrictlyUpper>() = left.matrix.transpose();
   return left;
 }
 
 ArrowStep ArrowSystem::completed(const SharedVector& shared, double damping) const {
-  ArrowStep step;
-  step.angles = shared.head<kAngleCount>();
-  step.shape = shared.tail(shared.size() - kAngleCount);
+  ArrowStep step = step_of(shared);
   step.poses.reserve(frames_.size());
   for (const FrameEquations& frame : frames_) {
-    const PoseVector known = -frame.gradient.head<kP>() - cross_block(frame).transpose() * shared;
-    step.poses.push_back(pose_block(frame, damping).ldlt().solve(known));
+    step.poses.push_back(pose_step(PoseColumns(frame, damping), shared));
   }
   return step;
 }
 
 ArrowStep ArrowSystem::solve(double damping) const {
-  const Reduced left = reduced(damping);
-  return completed(left.matrix.ldlt().solve(left.right_side), damping);
+  const Eigen::Index count = shared_gradient_.size();
+  SharedColumns columns = damped_columns(shared_hessian_, shared_gradient_, damping);
+  std::vector<PoseColumns> poses;
+  poses.reserve(frames_.size());
+  for (const FrameEquations& frame : frames_) {
+    subtract(poses.emplace_back(frame, damping), count, columns);
+  }
+  columns.eliminate(count);
+  SharedVector shared(count);
+  columns.substitute_back(shared);
+  ArrowStep step = step_of(shared);
+  step.poses.reserve(frames_.size());
+  for (const PoseColumns& pose : poses) step.poses.push_back(pose_step(pose, shared));
+  return step;
 }
 
 ArrowSystem::AngleMatrix ArrowSystem::angle_covariance() const {
