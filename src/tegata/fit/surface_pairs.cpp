@@ -1,358 +1,295 @@
 // SPDX-FileCopyrightText: 2026 The tegata authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// A digit's angle about an axis d through c moves a vertex by d x a, where a is the sum over the
-// bones that it turns of weight (point - c) (posed_rows.cpp). Along a normal n that is d . (a x n),
-// so that the first two angles, which share c, share the product as well.
+// Of a point p, about some centre, with a normal n the row s = (p x n, n) says how far a turn about
+// the centre and a shift move p along n. An angle about an axis d through the centre that carries p
+// as a whole moves it by d . (p x n). So a sum of s s^T holds all products of pose and angles of
+// the points that it is taken of, and only joints that they are next to need columns of their own.
+// The sums of a digit are gathered from its tip to the palm, as composite inertias are
+// (Featherstone, Rigid Body Dynamics Algorithms, 2008, 6.2): at each joint they are taken to its
+// centre.
 #include "tegata/fit/surface_pairs.h"
 
-#include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace tegata {
 namespace {
 
-using Lanes = SurfacePairs::Lanes;
-using Block = SurfacePairs::Block;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
-constexpr std::size_t kPoseColumns = 6, kDigitColumns = 10;
-// So many blocks are summed in single precision before the sums go on in double.
-constexpr std::size_t kBlocksPerSum = 32;
+Vector3d vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-template <typename Scalar>
-struct Vec {
-  Scalar x, y, z;
-};
-template <typename S>
-TEGATA_KERNEL Vec<S> operator+(const Vec<S>& a, const Vec<S>& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <typename S>
-TEGATA_KERNEL Vec<S> operator*(S factor, const Vec<S>& v) {
-  return {factor * v.x, factor * v.y, factor * v.z};
-}
-template <typename S>
-TEGATA_KERNEL S dot(const Vec<S>& a, const Vec<S>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <typename S>
-TEGATA_KERNEL Vec<S> cross(const Vec<S>& a, const Vec<S>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+// What an angle or the residual has to do with turns and shifts: sum of it times s.
+struct Wrench {
+  Vector3d turn = Vector3d::Zero(), shift = Vector3d::Zero();
 
-// SkinMotion::Digit in a row's precision.
-template <typename S>
-struct Motion {
-  struct Bone {
-    Vec<S> x, y, z, shift;  // rows of the turn
-  };
-  std::array<Bone, 4> bones;
-  std::array<Vec<S>, 4> centers, directions;
+  // To a centre from which the old one is at c.
+  void move_by(const Vector3d& c) { turn += c.cross(shift); }
 };
 
-template <typename S>
-Vec<S> vec(const std::array<double, 3>& v) {
-  return {static_cast<S>(v[0]), static_cast<S>(v[1]), static_cast<S>(v[2])};
-}
-template <typename S>
-Motion<S> motion_of(const SkinMotion::Digit& digit) {
-  Motion<S> motion;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const SkinMotion::Bone& bone = digit.bones[i];
-    motion.bones[i] = {vec<S>(bone.turn[0]), vec<S>(bone.turn[1]), vec<S>(bone.turn[2]),
-                       vec<S>(bone.shift)};
-    motion.centers[i] = vec<S>(digit.axes[i].center);
-    motion.directions[i] = vec<S>(digit.axes[i].direction);
-  }
-  return motion;
-}
+// Sums over the points that joints so far carry.
+struct Moments {
+  Matrix3d turn = Matrix3d::Zero(), shift = Matrix3d::Zero();  // turn by turn, shift by shift
+  Matrix3d cross = Matrix3d::Zero();                           // turn by shift
+  Wrench residual;
+  double squares = 0.0;  // of residuals
 
-template <typename S>
-TEGATA_KERNEL Vec<S> moved(const typename Motion<S>::Bone& bone, const Vec<S>& p) {
-  return Vec<S>{dot(bone.x, p), dot(bone.y, p), dot(bone.z, p)} + bone.shift;
-}
-// The arm of a turn about `center` of points with a weight, along a normal.
-template <typename S>
-TEGATA_KERNEL Vec<S> lever(const Vec<S>& weighted, S weight, const Vec<S>& center,
-                           const Vec<S>& normal) {
-  const Vec<S> arm = {weighted.x - weight * center.x, weighted.y - weight * center.y,
-                      weighted.z - weight * center.z};
-  return cross(arm, normal);
-}
-
-// Where a digit's row is, about the hand's origin, and its four columns along a normal.
-template <typename S>
-struct DigitRow {
-  Vec<S> point;
-  S angles[4];
-};
-template <typename S>
-TEGATA_KERNEL DigitRow<S> digit_row(const Motion<S>& motion, const Vec<S>& p,
-                                    const std::array<S, 4>& w, const Vec<S>& normal) {
-  const Vec<S> outer = w[3] * moved(motion.bones[3], p);
-  const Vec<S> middle = w[2] * moved(motion.bones[2], p) + outer;
-  const Vec<S> digit = w[1] * moved(motion.bones[1], p) + middle;
-  const Vec<S> lever1 = lever(digit, w[1] + (w[2] + w[3]), motion.centers[1], normal);
-  const Vec<S> lever2 = lever(middle, w[2] + w[3], motion.centers[2], normal);
-  const Vec<S> lever3 = lever(outer, w[3], motion.centers[3], normal);
-  return {w[0] * moved(motion.bones[0], p) + digit,
-          {dot(motion.directions[0], lever1), dot(motion.directions[1], lever1),
-           dot(motion.directions[2], lever2), dot(motion.directions[3], lever3)}};
-}
-
-// Columns of a block's rows, the residuals the last of them.
-template <std::size_t kColumns>
-using Columns = std::array<Lanes, kColumns + 1>;
-
-TEGATA_KERNEL Vec<float> load(const std::array<Lanes, 3>& points, std::size_t i) {
-  return {points[0][i], points[1][i], points[2][i]};
-}
-
-// The pose's columns of a row: the arm's product with the normal for a turn, the normal for a
-// shift.
-template <std::size_t kCount>
-TEGATA_KERNEL void fill_pose_columns(const Vec<float>& point, const Vec<float>& n, std::size_t i,
-                                     std::array<Lanes, kCount>& columns) {
-  const Vec<float> turn = cross(point, n);
-  columns[0][i] = turn.x;
-  columns[1][i] = turn.y;
-  columns[2][i] = turn.z;
-  columns[3][i] = n.x;
-  columns[4][i] = n.y;
-  columns[5][i] = n.z;
-}
-
-TEGATA_KERNEL void fill_columns(const Motion<float>& motion, const Vec<float>& from_anchor,
-                                const Block& block, Columns<kPoseColumns>& columns) {
-  for (std::size_t i = 0; i < kRowLanes; ++i) {
-    const Vec<float> n = load(block.normal, i);
-    const Vec<float> point = moved(motion.bones[0], load(block.position, i));
-    fill_pose_columns(point, n, i, columns);
-    columns[6][i] = dot(n, point + from_anchor) - block.offset[i];
-  }
-}
-
-TEGATA_KERNEL void fill_columns(const Motion<float>& motion, const Vec<float>& from_anchor,
-                                const Block& block, Columns<kDigitColumns>& columns) {
-  for (std::size_t i = 0; i < kRowLanes; ++i) {
-    const Vec<float> n = load(block.normal, i);
-    const std::array<float, 4> weights = {block.weights[0][i], block.weights[1][i],
-                                          block.weights[2][i], block.weights[3][i]};
-    const DigitRow<float> row = digit_row(motion, load(block.position, i), weights, n);
-    fill_pose_columns(row.point, n, i, columns);
-    columns[6][i] = row.angles[0];
-    columns[7][i] = row.angles[1];
-    columns[8][i] = row.angles[2];
-    columns[9][i] = row.angles[3];
-    columns[10][i] = dot(n, row.point + from_anchor) - block.offset[i];
-  }
-}
-
-// Sums of products of columns, row by row of the lower half, lane by lane.
-template <std::size_t kColumns>
-inline constexpr std::size_t kProducts = (kColumns + 1) * (kColumns + 2) / 2;
-
-constexpr std::size_t row_of(std::size_t product) {
-  std::size_t row = 0;
-  while ((row + 1) * (row + 2) / 2 <= product) ++row;
-  return row;
-}
-constexpr std::size_t column_of(std::size_t product) {
-  return product - row_of(product) * (row_of(product) + 1) / 2;
-}
-
-TEGATA_KERNEL void add_product(const Lanes& a, const Lanes& b, Lanes& sum) {
-#pragma GCC unroll 1  // or it is gone before vectors are made of it
-  for (std::size_t i = 0; i < kRowLanes; ++i) sum[i] += a[i] * b[i];
-}
-
-// One after the other, written out: loops over rows and columns would cost what the products do.
-template <std::size_t kColumns, std::size_t... kProduct>
-TEGATA_KERNEL void add_products(const Columns<kColumns>& columns, const Lanes& weight,
-                                std::index_sequence<kProduct...>,
-                                std::array<Lanes, kProducts<kColumns>>& products) {
-  alignas(64) Columns<kColumns> weighted;
-  for (std::size_t row = 0; row <= kColumns; ++row) {
-    for (std::size_t i = 0; i < kRowLanes; ++i) weighted[row][i] = weight[i] * columns[row][i];
-  }
-  (add_product(weighted[row_of(kProduct)], columns[column_of(kProduct)], products[kProduct]), ...);
-}
-
-template <std::size_t kColumns>
-TEGATA_KERNEL void add_lanes(const std::array<Lanes, kProducts<kColumns>>& products,
-                             std::array<double, kProducts<kColumns>>& sums) {
-  for (std::size_t p = 0; p < products.size(); ++p) {
-    const Lanes& lanes = products[p];
-    float eight[8], four[4];
-    for (std::size_t i = 0; i < 8; ++i) eight[i] = lanes[i] + lanes[i + 8];
-    for (std::size_t i = 0; i < 4; ++i) four[i] = eight[i] + eight[i + 4];
-    sums[p] += static_cast<double>((four[0] + four[1]) + (four[2] + four[3]));
-  }
-}
-
-struct Task {
-  const Block* first;
-  const Block* last;
-  Motion<float> motion;
-  Vec<float> from_anchor;  // to the hand's origin
-};
-
-template <std::size_t kColumns>
-TEGATA_KERNEL void run(const Task& task, std::array<double, kProducts<kColumns>>& sums) {
-  for (const Block* block = task.first; block != task.last;) {
-    alignas(64) std::array<Lanes, kProducts<kColumns>> products = {};
-    const Block* const last = block + std::min<std::ptrdiff_t>(kBlocksPerSum, task.last - block);
-    for (; block != last; ++block) {
-      alignas(64) Columns<kColumns> columns;
-      fill_columns(task.motion, task.from_anchor, *block, columns);
-      add_products<kColumns>(columns, block->weight,
-                             std::make_index_sequence<kProducts<kColumns>>(), products);
+  // With t the moments and n the normals, t becomes t + c x n in sums of t t^T, t n^T and n n^T.
+  void move_by(const Vector3d& c) {
+    const Matrix3d before = cross;
+    for (int i = 0; i < 3; ++i) cross.col(i) += c.cross(shift.col(i));
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d from_before = c.cross(before.row(i)), from_after = c.cross(cross.row(i));
+      turn.col(i) += from_before;
+      turn.row(i) += from_after;
     }
-    add_lanes<kColumns>(products, sums);
+    residual.move_by(c);
   }
-}
 
-template <std::size_t kColumns>
-using Sums = std::array<double, kProducts<kColumns>>;
+  template <std::size_t kAngles>
+  void add(const PairSums<kAngles>& sums) {
+    const double* s = sums.data();
+    Matrix3d t, n, c;
+    t << s[0], s[1], s[3], s[1], s[2], s[4], s[3], s[4], s[5];
+    n << s[9], s[13], s[18], s[13], s[14], s[19], s[18], s[19], s[20];
+    c << s[6], s[10], s[15], s[7], s[11], s[16], s[8], s[12], s[17];
+    turn += t;
+    shift += n;
+    cross += c;
+    residual.turn += Vector3d(s[21], s[22], s[23]);
+    residual.shift += Vector3d(s[24], s[25], s[26]);
+    squares += s[27];
+  }
 
-template <std::size_t kColumns>
-void run_baseline(const Task& task, Sums<kColumns>& sums) {
-  run<kColumns>(task, sums);
-}
-template <std::size_t kColumns>
-TEGATA_AVX2 void run_avx2(const Task& task, Sums<kColumns>& sums) {
-  run<kColumns>(task, sums);
-}
-template <std::size_t kColumns>
-TEGATA_AVX512 void run_avx512(const Task& task, Sums<kColumns>& sums) {
-  run<kColumns>(task, sums);
-}
+  // What the pose has of them. Returns half the sum of the squared residuals.
+  double add_to(FrameEquations& equations) const {
+    equations.hessian.block<3, 3>(0, 0) += turn;
+    equations.hessian.block<3, 3>(3, 0) += cross.transpose();
+    equations.hessian.block<3, 3>(3, 3) += shift;
+    equations.gradient.segment<3>(0) += residual.turn;
+    equations.gradient.segment<3>(3) += residual.shift;
+    return 0.5 * squares;
+  }
+};
 
-// Adds a part's products where they belong. Returns half the sum of the squared residuals.
-template <std::size_t kColumns>
-double add_part(const Task& task, std::size_t part, InstructionSet set, FrameEquations& equations) {
-  constexpr std::array<void (*)(const Task&, Sums<kColumns>&), 3> kRuns = {
-      run_baseline<kColumns>, run_avx2<kColumns>, run_avx512<kColumns>};
-  Sums<kColumns> sums = {};
-  kRuns[static_cast<std::size_t>(set)](task, sums);
-  const auto parameter = [&](std::size_t column) {
-    return static_cast<Eigen::Index>(column < kPoseColumns ? column : column + 4 * part);
-  };
-  std::size_t product = 0;
-  for (std::size_t row = 0; row < kColumns; ++row) {
-    for (std::size_t column = 0; column <= row; ++column) {
-      equations.hessian(parameter(row), parameter(column)) += sums[product++];
+// Of the joint's own angles in PairSums: products with turn, shift and residual, with the one
+// before and with itself.
+constexpr std::array<std::size_t, 2> kOwnProducts = {28, 36};
+
+// Normal equations of a digit's pairs, gathered from its tip to the palm.
+class DigitSum {
+ public:
+  explicit DigitSum(const SkinMotion::Digit& motion)
+      : motion_(motion), center_(vector_of(motion.axes.back().center)) {}
+
+  // Goes on to the next joint: its angles turn what is carried so far as a whole, and the pairs
+  // next to it as its own columns say.
+  template <std::size_t kAngles>
+  void add_joint(std::size_t joint, const PairSums<kAngles>& sums) {
+    const std::size_t first = joint + 1 - kAngles;
+    move_to(vector_of(motion_.axes[joint].center));
+    for (std::size_t i = 0; i < kAngles; ++i) {
+      const std::size_t angle = first + i;
+      const Vector3d direction = vector_of(motion_.axes[angle].direction);
+      const double* own = sums.data() + kOwnProducts[i];
+      angles_[angle].turn = carried_.turn * direction + Vector3d(own[0], own[1], own[2]);
+      angles_[angle].shift =
+          carried_.cross.transpose() * direction + Vector3d(own[3], own[4], own[5]);
+      gradient_[at(angle)] = direction.dot(carried_.residual.turn) + own[6];
     }
+    for (std::size_t i = 0; i < kAngles; ++i) {
+      const std::size_t angle = first + i;
+      const Vector3d direction = vector_of(motion_.axes[angle].direction);
+      for (std::size_t k = 0; k <= i; ++k) {
+        const Vector3d other = vector_of(motion_.axes[first + k].direction);
+        hessian_(at(angle), at(first + k)) =
+            direction.dot(carried_.turn * other) + sums[kOwnProducts[i] + 7 + k];
+      }
+      for (std::size_t outer = joint + 1; outer < kAnglesPerDigit; ++outer) {
+        hessian_(at(outer), at(angle)) = direction.dot(angles_[outer].turn);
+      }
+    }
+    carried_.add<kAngles>(sums);
   }
-  for (std::size_t column = 0; column < kColumns; ++column) {
-    equations.gradient[parameter(column)] += sums[product++];
+
+  // Adds all of it, about the hand's origin. Returns half the sum of the squared residuals.
+  double add_to(std::size_t digit, FrameEquations& equations) {
+    constexpr int kA = kAnglesPerDigit;
+    move_to(Vector3d::Zero());
+    const int first = kPoseParameterCount + kA * static_cast<int>(digit);
+    equations.hessian.block<kA, kA>(first, first) += hessian_;
+    equations.gradient.segment<kA>(first) += gradient_;
+    for (int angle = 0; angle < kA; ++angle) {
+      const Wrench& products = angles_[static_cast<std::size_t>(angle)];
+      equations.hessian.block<1, 3>(first + angle, 0) += products.turn.transpose();
+      equations.hessian.block<1, 3>(first + angle, 3) += products.shift.transpose();
+    }
+    return carried_.add_to(equations);
   }
-  return 0.5 * sums[product];
+
+ private:
+  static Eigen::Index at(std::size_t angle) { return static_cast<Eigen::Index>(angle); }
+
+  void move_to(const Vector3d& center) {
+    const Vector3d to_old = center_ - center;
+    carried_.move_by(to_old);
+    for (Wrench& angle : angles_) angle.move_by(to_old);
+    center_ = center;
+  }
+
+  const SkinMotion::Digit& motion_;
+  Vector3d center_;  // that all sums are about
+  Moments carried_;  // of the pairs beyond
+  std::array<Wrench, kAnglesPerDigit> angles_ = {};
+  Eigen::Matrix4d hessian_ = Eigen::Matrix4d::Zero();  // its lower half
+  Eigen::Vector4d gradient_ = Eigen::Vector4d::Zero();
+};
+
+JointMotion::Vec single(const Vector3d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+JointMotion::Turn turn_of(const SkinMotion::Bone& bone) {
+  return {single(vector_of(bone.turn[0])), single(vector_of(bone.turn[1])),
+          single(vector_of(bone.turn[2]))};
+}
+JointMotion joint_motion(const SkinMotion::Digit& digit, std::size_t joint,
+                         const Vector3d& from_anchor) {
+  const SkinMotion::Axis& axis = digit.axes[joint];
+  const SkinMotion::Axis& first = digit.axes[joint == 1 ? 0 : joint];
+  return {turn_of(digit.bones[joint]),
+          turn_of(digit.bones[joint - 1]),
+          {single(vector_of(first.direction)), single(vector_of(axis.direction))},
+          single(from_anchor + vector_of(axis.center))};
 }
 
-constexpr std::uint8_t kNoPart = kDigitCount + 1;
+Vector3d moved_by(const SkinMotion::Bone& bone, const std::array<double, 3>& rest) {
+  const Vector3d p = vector_of(rest);
+  return Vector3d(vector_of(bone.turn[0]).dot(p), vector_of(bone.turn[1]).dot(p),
+                  vector_of(bone.turn[2]).dot(p)) +
+         vector_of(bone.shift);
+}
 
-// Takes a pair of a vertex that has one row only.
-void fill_lane(const SkinRows& rows, const SurfacePair& pair, const Eigen::Vector3d& anchor,
-               Block& block, std::size_t lane) {
-  const std::size_t row = rows.first_row(pair.vertex);
-  const SkinRows::Block& from = rows.blocks()[row / kRowLanes];
+// Takes a pair into a lane.
+void fill_lane(const SkinRows::HingedVertex& vertex, const SurfacePair& pair,
+               const Vector3d& anchor, PairBlock& block, std::size_t lane) {
+  const float root = std::sqrt(static_cast<float>(pair.weight));
   for (std::size_t k = 0; k < 3; ++k) {
-    block.position[k][lane] = static_cast<float>(from.position[k][row % kRowLanes]);
-    block.normal[k][lane] = static_cast<float>(pair.normal[static_cast<Eigen::Index>(k)]);
+    block.beyond[k][lane] = vertex.beyond[k];
+    block.before[k][lane] = vertex.before[k];
+    block.normal[k][lane] = root * static_cast<float>(pair.normal[static_cast<Eigen::Index>(k)]);
   }
-  for (std::size_t k = 0; k < 4; ++k) {
-    block.weights[k][lane] = static_cast<float>(from.weights[k][row % kRowLanes]);
-  }
-  block.offset[lane] = static_cast<float>(pair.normal.dot(pair.point - anchor));
-  block.weight[lane] = static_cast<float>(pair.weight);
+  block.offset[lane] = root * static_cast<float>(pair.normal.dot(pair.point - anchor));
 }
 
 }  // namespace
 
 SurfacePairs::SurfacePairs(const SkinRows& rows, std::span<const SurfacePair> pairs) {
   if (!pairs.empty()) anchor_ = pairs.front().point;
-  std::vector<std::uint8_t> part_of_pair(pairs.size());
-  std::array<std::size_t, kDigitCount + 1> next = {};  // first counts of pairs, then free rows
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const std::uint32_t vertex = pairs[i].vertex;
-    if (!rows.shared().empty()) {
-      if (const SkinRows::SharedVertex* const shared = rows.shared(vertex)) {
-        part_of_pair[i] = kNoPart;
-        add_shared(rows, *shared, pairs[i]);
-        continue;
-      }
+  std::array<std::size_t, kBoneCount + 1> next = {};  // first counts of pairs, then free lanes
+  for (const SurfacePair& pair : pairs) ++next[rows.hinge(pair.vertex)];
+  for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
+    first_[bone + 1] = first_[bone] + (next[bone] + kRowLanes - 1) / kRowLanes;
+    next[bone] = first_[bone] * kRowLanes;
+  }
+  // Of memory only what no pair is written to is cleared.
+  blocks_ = std::make_unique_for_overwrite<PairBlock[]>(first_.back());
+  for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
+    if (first_[bone] < first_[bone + 1]) blocks_[first_[bone + 1] - 1] = {};
+  }
+  for (const SurfacePair& pair : pairs) {
+    const std::size_t bone = rows.hinge(pair.vertex);
+    if (bone == SkinRows::kNoBone) {
+      add_tangled(rows, pair);
+      continue;
     }
-    const std::size_t part = rows.part_of_row(rows.first_row(vertex));
-    part_of_pair[i] = static_cast<std::uint8_t>(part);
-    ++next[part];
-  }
-
-  std::size_t block_count = 0;
-  for (std::size_t part = 0; part < parts_.size(); ++part) {
-    parts_[part].first = block_count;
-    block_count += (next[part] + kRowLanes - 1) / kRowLanes;
-    parts_[part].last = block_count;
-    next[part] = parts_[part].first * kRowLanes;
-  }
-  blocks_.resize(block_count);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (part_of_pair[i] == kNoPart) continue;
-    const std::size_t at = next[part_of_pair[i]]++;
-    fill_lane(rows, pairs[i], anchor_, blocks_[at / kRowLanes], at % kRowLanes);
+    const std::size_t at = next[bone]++;
+    fill_lane(rows.hinged(pair.vertex), pair, anchor_, blocks_[at / kRowLanes], at % kRowLanes);
   }
 }
 
-void SurfacePairs::add_shared(const SkinRows& rows, const SkinRows::SharedVertex& shared,
-                              const SurfacePair& pair) {
-  shared_.push_back({pair, {}});
-  for (const std::uint32_t row : shared.rows) {
+void SurfacePairs::add_tangled(const SkinRows& rows, const SurfacePair& pair) {
+  TangledPair& tangled = tangled_.emplace_back();
+  tangled.pair = pair;
+  const auto add_row = [&](std::size_t row) {
     const SkinRows::Block& block = rows.blocks()[row / kRowLanes];
-    SharedRow one;
-    one.part = rows.part_of_row(row);
-    for (std::size_t k = 0; k < 3; ++k) one.position[k] = block.position[k][row % kRowLanes];
-    for (std::size_t k = 0; k < 4; ++k) one.weights[k] = block.weights[k][row % kRowLanes];
-    shared_.back().rows.push_back(one);
-  }
+    const std::size_t lane = row % kRowLanes, part = rows.part_of_row(row);
+    for (std::size_t k = 0; k < 3; ++k) tangled.position[k] = block.position[k][lane];
+    for (std::size_t i = 0; i < 4; ++i) {
+      tangled.weights[i == 0 ? 0 : 3 * part + i] += block.weights[i][lane];
+    }
+  };
+  const SkinRows::SharedVertex* const shared = rows.shared(pair.vertex);
+  if (shared == nullptr) return add_row(rows.first_row(pair.vertex));
+  for (const std::uint32_t row : shared->rows) add_row(row);
+}
+
+std::span<const PairBlock> SurfacePairs::blocks(std::size_t bone) const {
+  return {blocks_.get() + first_[bone], first_[bone + 1] - first_[bone]};
 }
 
 double SurfacePairs::add_to(FrameEquations& equations, const SkinMotion& motion,
                             InstructionSet set) const {
-  const Eigen::Vector3f from_anchor = (motion.origin() - anchor_).cast<float>();
-  double cost = 0.0;
-  for (std::size_t part = 0; part < parts_.size(); ++part) {
-    if (parts_[part].first == parts_[part].last) continue;
-    const bool is_palm = part == SkinRows::kPalmPart;
-    const Task task{blocks_.data() + parts_[part].first,
-                    blocks_.data() + parts_[part].last,
-                    motion_of<float>(motion.digit(is_palm ? 0 : part)),
-                    {from_anchor.x(), from_anchor.y(), from_anchor.z()}};
-    cost += is_palm ? add_part<kPoseColumns>(task, part, set, equations)
-                    : add_part<kDigitColumns>(task, part, set, equations);
+  double cost = add_palm_to(equations, motion, set);
+  for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
+    cost += add_digit_to(equations, motion, digit, set);
   }
-  for (const SharedPair& shared : shared_) cost += add_shared_to(equations, motion, shared);
+  for (const TangledPair& tangled : tangled_) cost += add_tangled_to(equations, motion, tangled);
   return cost;
 }
 
-double SurfacePairs::add_shared_to(FrameEquations& equations, const SkinMotion& motion,
-                                   const SharedPair& shared) {
-  const Eigen::Vector3d& n = shared.pair.normal;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  HandRow row;
-  for (const SharedRow& one : shared.rows) {
-    const DigitRow<double> found =
-        digit_row(motion_of<double>(motion.digit(one.part)), vec<double>(one.position), one.weights,
-                  {n.x(), n.y(), n.z()});
-    point += Eigen::Vector3d(found.point.x, found.point.y, found.point.z);
-    const auto first = kPoseParameterCount + kAnglesPerDigit * static_cast<int>(one.part);
-    for (int k = 0; k < kAnglesPerDigit; ++k) row.values[first + k] = found.angles[k];
-    row.digits |= DigitSet{1} << one.part;
+double SurfacePairs::add_palm_to(FrameEquations& equations, const SkinMotion& motion,
+                                 InstructionSet set) const {
+  if (blocks(0).empty()) return 0.0;
+  const Vector3d from_anchor = motion.origin() - anchor_;
+  Moments moments;
+  const JointMotion palm = {turn_of(motion.palm()), {}, {}, single(from_anchor)};
+  moments.add<0>(pair_sums<0>(blocks(0), palm, set));
+  return moments.add_to(equations);
+}
+
+double SurfacePairs::add_digit_to(FrameEquations& equations, const SkinMotion& motion,
+                                  std::size_t digit, InstructionSet set) const {
+  const std::size_t first_bone = 3 * digit + 1;
+  if (first_[first_bone] == first_[first_bone + 3]) return 0.0;
+  const SkinMotion::Digit& moved = motion.digit(digit);
+  const Vector3d from_anchor = motion.origin() - anchor_;
+  DigitSum sum(moved);
+  for (std::size_t joint = 3; joint > 1; --joint) {
+    sum.add_joint<1>(joint, pair_sums<1>(blocks(3 * digit + joint),
+                                         joint_motion(moved, joint, from_anchor), set));
   }
-  row.values.head<3>() = point.cross(n).transpose();
-  row.values.segment<3>(3) = n.transpose();
-  const double residual = n.dot(point + motion.origin() - shared.pair.point);
-  equations.add(residual, row, shared.pair.weight, 0.0);
-  return 0.5 * shared.pair.weight * residual * residual;
+  sum.add_joint<2>(1, pair_sums<2>(blocks(first_bone), joint_motion(moved, 1, from_anchor), set));
+  return sum.add_to(digit, equations);
+}
+
+// Bone by bone, in double precision.
+double SurfacePairs::add_tangled_to(FrameEquations& equations, const SkinMotion& motion,
+                                    const TangledPair& tangled) {
+  const Vector3d& normal = tangled.pair.normal;
+  Vector3d point = Vector3d::Zero();
+  HandRow row;
+  for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
+    const double weight = tangled.weights[bone];
+    if (weight == 0.0) continue;
+    const std::size_t digit = bone == 0 ? 0 : (bone - 1) / 3, joint = bone - 3 * digit;
+    const Vector3d moved = weight * moved_by(motion.digit(digit).bones[joint], tangled.position);
+    point += moved;
+    if (bone == 0) continue;
+    row.digits |= DigitSet{1} << digit;
+    for (std::size_t angle = 0; angle <= joint; ++angle) {
+      const SkinMotion::Axis& axis = motion.digit(digit).axes[angle];
+      const Vector3d arm = moved - weight * vector_of(axis.center);
+      row.values[kPoseParameterCount +
+                 static_cast<Eigen::Index>(kAnglesPerDigit * digit + angle)] +=
+          vector_of(axis.direction).dot(arm.cross(normal));
+    }
+  }
+  row.values.head<3>() = point.cross(normal).transpose();
+  row.values.segment<3>(3) = normal.transpose();
+  const double residual = normal.dot(point + motion.origin() - tangled.pair.point);
+  equations.add(residual, row, tangled.pair.weight, 0.0);
+  return 0.5 * tangled.pair.weight * residual * residual;
 }
 
 }  // namespace tegata

@@ -6,11 +6,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "tegata/base/instruction_set.h"
 #include "tegata/fit/normal_equations.h"
+#include "tegata/fit/pair_sums.h"
 #include "tegata/hand/skin_motion.h"
 #include "tegata/hand/skin_rows.h"
 
@@ -24,10 +26,10 @@ struct SurfacePair {
   double weight = 1.0;            ///< of the squared residual
 };
 
-/// Pairs made ready for normal equations at one pose after the other: sorted by the digit that
-/// moves their vertices, of which each needs four columns of the twenty, and then taken by vector.
-/// Single precision, about a point among the pairs, which leaves some 10 nm of a hand's length;
-/// sums of more than a few hundred rows are in double precision.
+/// Pairs made ready for normal equations at one pose after the other: sorted by the joint that
+/// their vertices are next to, and then taken by vector. Single precision, about a point among the
+/// pairs, which leaves some 10 nm of a hand's length; sums of more than a few hundred rows are in
+/// double precision. Vertices that several digits or three bones move are taken one by one.
 class SurfacePairs {
  public:
   SurfacePairs(const SkinRows& rows, std::span<const SurfacePair> pairs);
@@ -38,35 +40,24 @@ class SurfacePairs {
   double add_to(FrameEquations& equations, const SkinMotion& motion,
                 InstructionSet set = best_instruction_set()) const;
 
-  using Lanes = std::array<float, kRowLanes>;
-  struct alignas(64) Block {
-    std::array<Lanes, 3> position;  ///< of the rest surface [m]
-    std::array<Lanes, 4> weights;   ///< of the palm and the digit's bones
-    std::array<Lanes, 3> normal;    ///< of the plane
-    Lanes offset;                   ///< of the plane from anchor_ [m]
-    Lanes weight;                   ///< of the residual; 0 in lanes that hold none
-  };
-
  private:
-  /// A row of a vertex that several digits move; those of one pair follow each other.
-  struct SharedRow {
-    std::size_t part = 0;
-    std::array<double, 3> position = {};
-    std::array<double, 4> weights = {};
-  };
-  struct SharedPair {
+  struct TangledPair {
     SurfacePair pair;
-    std::vector<SharedRow> rows;
+    std::array<double, 3> position = {};  ///< of the rest surface [m]
+    std::array<double, kBoneCount> weights = {};
   };
-  void add_shared(const SkinRows& rows, const SkinRows::SharedVertex& shared,
-                  const SurfacePair& pair);
-  static double add_shared_to(FrameEquations& equations, const SkinMotion& motion,
-                              const SharedPair& shared);
+  void add_tangled(const SkinRows& rows, const SurfacePair& pair);
+  static double add_tangled_to(FrameEquations& equations, const SkinMotion& motion,
+                               const TangledPair& tangled);
+  std::span<const PairBlock> blocks(std::size_t bone) const;
+  double add_palm_to(FrameEquations& equations, const SkinMotion& motion, InstructionSet set) const;
+  double add_digit_to(FrameEquations& equations, const SkinMotion& motion, std::size_t digit,
+                      InstructionSet set) const;
 
   Eigen::Vector3d anchor_ = Eigen::Vector3d::Zero();
-  std::vector<Block> blocks_;
-  std::array<SkinRows::Part, kDigitCount + 1> parts_;  ///< the digits' and the palm's
-  std::vector<SharedPair> shared_;
+  std::unique_ptr<PairBlock[]> blocks_;
+  std::array<std::size_t, kBoneCount + 1> first_ = {};  ///< blocks of each bone, then all
+  std::vector<TangledPair> tangled_;
 };
 
 }  // namespace tegata

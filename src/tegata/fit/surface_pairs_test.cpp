@@ -12,11 +12,14 @@
 namespace tegata {
 namespace {
 
-// Some vertices move with several digits, as in hands of others' making.
+// Some vertices move with several digits or with three bones of one, as in hands of others' making.
 HandModel tangled_hand() {
   HandModel hand = test::coarse_hand();
   for (std::size_t i = 0; i < hand.links.size(); i += 5) {
     hand.links[i] = {{0, 4, 7, 0}, {0.3, 0.4, 0.3, 0.0}};
+  }
+  for (std::size_t i = 1; i < hand.links.size(); i += 9) {
+    hand.links[i] = {{12, 11, 10, 0}, {0.2, 0.4, 0.3, 0.1}};
   }
   return hand;
 }

@@ -47,6 +47,47 @@ std::array<double, 4> weights_in_part(const SkinLinks& links, std::size_t part, 
   return weights;
 }
 
+std::array<float, 3> single(const Eigen::Vector3d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+// The centres of the joints that bones hang from, at rest; the hand's origin for the palm and for
+// no bone.
+std::array<Eigen::Vector3d, kBoneCount + 1> rest_centers(const HandModel& model) {
+  const auto axes = joint_axes(model.skeleton, model.rest_angles);
+  std::array<Eigen::Vector3d, kBoneCount + 1> centers;
+  centers.front().setZero();
+  centers.back().setZero();
+  for (std::size_t angle = 0; angle < axes.size(); ++angle) {
+    centers[index(bone_of_angle(static_cast<int>(angle)))] = axes[angle].center;
+  }
+  return centers;
+}
+
+// What a bone and the one that it hangs from weigh; nothing where others weigh something.
+struct HingeWeights {
+  std::size_t bone = SkinRows::kNoBone;
+  double beyond = 0.0, before = 0.0;
+};
+HingeWeights hinge_weights(const SkinLinks& links) {
+  int bone = 0;
+  for (std::size_t i = 0; i < links.bones.size(); ++i) {
+    if (links.weights[i] > 0.0) bone = std::max(bone, links.bones[i]);
+  }
+  HingeWeights weights{index(bone)};
+  for (std::size_t i = 0; i < links.bones.size(); ++i) {
+    if (!(links.weights[i] > 0.0)) continue;
+    if (links.bones[i] == bone) {
+      weights.beyond += links.weights[i];
+    } else if (links.bones[i] == parent_bone(bone)) {
+      weights.before += links.weights[i];
+    } else {
+      return {};
+    }
+  }
+  return weights;
+}
+
 void repeat_row(std::vector<SkinRows::Block>& blocks, std::size_t row, std::size_t end) {
   const auto repeat = [&](RowLanes& to, const RowLanes& from, std::size_t at) {
     to[at % kRowLanes] = from[row % kRowLanes];
@@ -82,7 +123,14 @@ SkinRows::SkinRows(const HandModel& model) {
   }
   blocks_.resize(block_count);
   first_row_.resize(sets.size());
+  hinged_.reserve(sets.size());
+  hinge_.reserve(sets.size());
+  const auto centers = rest_centers(model);
   for (std::size_t vertex = 0; vertex < sets.size(); ++vertex) {
+    const HingeWeights hinge = hinge_weights(model.links[vertex]);
+    hinge_.push_back(static_cast<std::uint8_t>(hinge.bone));
+    const Eigen::Vector3d arm = surface.vertices[vertex] - centers[hinge.bone];
+    hinged_.push_back({single(hinge.beyond * arm), single(hinge.before * arm)});
     const bool is_shared = !std::has_single_bit(sets[vertex]);
     if (is_shared) shared_.push_back({static_cast<std::uint32_t>(vertex), {}});
     bool is_first = true;

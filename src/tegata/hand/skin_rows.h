@@ -54,11 +54,25 @@ class SkinRows {
   const std::vector<SharedVertex>& shared() const { return shared_; }
   const SharedVertex* shared(std::size_t vertex) const;
 
+  /// A vertex next to no more than one joint: it moves with a bone and, in part, with the one that
+  /// the bone hangs from. Nearly every vertex is one. In single precision, for sums over many: both
+  /// are from the joint's centre (the hand's origin for the palm) to the vertex at rest, times how
+  /// much the vertex moves with the bone and with the other one.
+  struct HingedVertex {
+    std::array<float, 3> beyond, before;  ///< [m]
+  };
+  const HingedVertex& hinged(std::size_t vertex) const { return hinged_[vertex]; }
+  /// Its bone; kNoBone of a vertex that others move as well.
+  std::size_t hinge(std::size_t vertex) const { return hinge_[vertex]; }
+  static constexpr std::size_t kNoBone = kBoneCount;
+
  private:
   std::vector<Block> blocks_;
   std::array<Part, kDigitCount + 1> parts_;
   std::vector<std::uint32_t> first_row_;
   std::vector<SharedVertex> shared_;
+  std::vector<HingedVertex> hinged_;
+  std::vector<std::uint8_t> hinge_;
 };
 
 }  // namespace tegata

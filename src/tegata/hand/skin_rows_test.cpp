@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tegata/hand/skin_motion.h"
 #include "tegata/hand/test_hand.h"
 
 namespace tegata {
@@ -80,6 +81,47 @@ TEST(SkinRows, AnUnusedLinkMakesNoRow) {
   model.links[0].weights = {1.0, 0.0, 0.0, 0.0};
   EXPECT_TRUE(SkinRows(model).shared().empty());
   EXPECT_EQ(SkinRows(model).part_of_row(SkinRows(model).first_row(0)), SkinRows::kPalmPart);
+}
+
+// Turned by the two bones about the joint's centre, its arms must lead from there to the vertex.
+TEST(SkinRows, ArmsOfAHingedVertexLeadToIt) {
+  for (const HandModel& model : hands_to_check()) {
+    const SkinRows rows(model);
+    HandPose pose;
+    pose.angles = random_angles(3);
+    const auto vertices = PosedHand(model, pose).vertices();
+    SkinMotion motion(model);
+    motion.move_to(pose);
+    for (std::size_t vertex = 0; vertex < rows.vertex_count(); ++vertex) {
+      const std::size_t bone = rows.hinge(vertex);
+      if (bone == SkinRows::kNoBone) continue;
+      const std::size_t joint = bone == 0 ? 0 : 1 + (bone - 1) % 3;
+      const SkinMotion::Digit& digit = motion.digit(bone == 0 ? 0 : (bone - 1) / 3);
+      const SkinRows::HingedVertex& hinged = rows.hinged(vertex);
+      for (std::size_t i = 0; i < 3; ++i) {
+        double found = bone == 0 ? 0.0 : digit.axes[joint].center[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+          found += digit.bones[joint].turn[i][k] * static_cast<double>(hinged.beyond[k]);
+          if (bone == 0) continue;
+          found += digit.bones[joint - 1].turn[i][k] * static_cast<double>(hinged.before[k]);
+        }
+        EXPECT_NEAR(found, vertices[vertex][static_cast<Eigen::Index>(i)], 1e-7) << vertex;
+      }
+    }
+  }
+}
+
+TEST(SkinRows, AVertexOfBonesThatAreNotJoinedIsNotHinged) {
+  HandModel model = test_hand();
+  model.links[0] = {{5, 4, 5, 9}, {0.3, 0.4, 0.3, 0.0}};
+  model.links[1] = {{0, 4, 5, 0}, {0.3, 0.4, 0.3, 0.0}};
+  model.links[2] = {{4, 6, 0, 0}, {0.5, 0.5, 0.0, 0.0}};
+  model.links[3] = {{1, 4, 0, 0}, {0.5, 0.5, 0.0, 0.0}};
+  const SkinRows rows(model);
+  EXPECT_EQ(rows.hinge(0), 5u);
+  for (const std::size_t vertex : {1u, 2u, 3u}) {
+    EXPECT_EQ(rows.hinge(vertex), SkinRows::kNoBone) << vertex;
+  }
 }
 
 }  // namespace
