@@ -361,19 +361,25 @@ GraspFit fit_grasp(const FitHand& hand, const FrameSource& frames, const GraspFi
   GraspFit grasp = fit_from(hand, frames, beginnings[0], options, observer);
   grasp.frame_seconds += beginning_seconds;
   if (!options.seeks_again || frames.size() == 1 || frames.frame(0)->landmarks) return grasp;
-  const double uncovered = uncovered_by(hand, frames, grasp, options);
+  double uncovered = uncovered_by(hand, frames, grasp, options);
   const double usual = std::max(kLikelyUncovered * hand.scale,
                                 kWrongBeginningRatio * beginnings[0].measured.uncovered);
   if (uncovered <= usual) return grasp;
   if (beginnings.size() == 1) {
     beginnings.push_back(begin_at(hand, frames, frames.size() - 1, options));
   }
-  GraspFit other = fit_from(hand, frames, beginnings[1], options, observer);
-  const double frame_seconds = grasp.frame_seconds + other.frame_seconds;
-  const double all_frames_seconds = grasp.all_frames_seconds + other.all_frames_seconds;
-  if (uncovered_by(hand, frames, other, options) < uncovered) grasp = std::move(other);
-  grasp.frame_seconds = frame_seconds;
-  grasp.all_frames_seconds = all_frames_seconds;
+  for (std::size_t b = 1; b < beginnings.size() && uncovered > usual; ++b) {
+    GraspFit other = fit_from(hand, frames, beginnings[b], options, observer);
+    const double frame_seconds = grasp.frame_seconds + other.frame_seconds;
+    const double all_frames_seconds = grasp.all_frames_seconds + other.all_frames_seconds;
+    const double by_other = uncovered_by(hand, frames, other, options);
+    if (by_other < uncovered) {
+      grasp = std::move(other);
+      uncovered = by_other;
+    }
+    grasp.frame_seconds = frame_seconds;
+    grasp.all_frames_seconds = all_frames_seconds;
+  }
   return grasp;
 }
 

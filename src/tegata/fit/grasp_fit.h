@@ -49,8 +49,8 @@ struct GraspFit {
 /// spread over all at once with one set of angles (joint_fit.h), so that frames in which something
 /// hides a finger lose their influence on it; then the others with these angles. Views that
 /// contradict the others of their frame are left out (contradiction.h). Where much more of the seen
-/// hand lies beside the fitted one than where that began, all is done once more from the second
-/// likeliest frame, and what covers more of the hand is kept. A soft grasp lets each frame's angles
+/// hand lies beside the fitted one than where that began, all is done once more from the next
+/// likeliest frame, and what covers most of the hand is kept. A soft grasp lets each frame's angles
 /// depart from there last. `frames` must not be empty and each needs a hull; throws Error
 /// otherwise.
 GraspFit fit_grasp(const FitHand& hand, const FrameSource& frames, const GraspFitOptions& options,
