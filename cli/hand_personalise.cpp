@@ -94,13 +94,19 @@ void run(Arguments& arguments) {
     throw Error(output.string(), ": got '", output.extension().string(),
                 "', expected a file that ends in .glb, .gltf or .toml");
   }
+  const std::filesystem::path folder_of_output =
+      output.has_parent_path() ? output.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder_of_output)) {
+    throw Error(output.string(), ": there is no folder ", folder_of_output.string(),
+                ", expected one to write to");
+  }
   std::vector<Take> takes;
   for (const std::string& folder : arguments.takes) takes.push_back(Take::open(folder));
   HandShapeFile hand;
   hand.name = arguments.name.empty() ? output.stem().string() : arguments.name;
   hand.side = side_of(takes, arguments.side);
   arguments.options.threads = arguments.common.threads;
-  arguments.options.scratch_folder = output.has_parent_path() ? output.parent_path() : ".";
+  arguments.options.scratch_folder = folder_of_output;
   arguments.options.fit.grasp = grasp_constraint_from_name(arguments.grasp);
   PersonalHand person;
   {

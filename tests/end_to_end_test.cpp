@@ -205,7 +205,7 @@ TEST_F(EndToEnd, SameSeedMakesTheSameTake) {
     const fs::path twin = folder_ / "first" / fs::relative(entry.path(), take());
     EXPECT_EQ(read_text(entry.path()), read_text(twin)) << twin;
   }
-  EXPECT_EQ(file_count, 3u + 2u + 2u * 3u);  // descriptions, truth, pictures
+  EXPECT_EQ(file_count, 4u + 2u + 2u * 3u);  // descriptions and object, truth, pictures
 }
 
 TEST_F(EndToEnd, ResultHoldsTheFilesThatTheFormatsPromise) {
