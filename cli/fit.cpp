@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -123,6 +124,10 @@ void print_json(const Arguments& arguments, const Result& result, double seconds
   json["verdict"] = verdict.word;
   json["trusted"] = verdict.trusted;
   json["silhouette_iou"] = mean_overlaps(result);
+  if (result.start) {
+    json["start"] = {{"frame", result.start->frame}};
+    if (std::isfinite(result.start->lead)) json["start"]["lead"] = result.start->lead;
+  }
   json["iterations"] = result.iterations;
   json["termination"] = result.termination;
   json["scale"] = result.model_scale;

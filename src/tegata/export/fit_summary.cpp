@@ -105,6 +105,16 @@ std::string unsure_angles(const Result& result) {
   return list;
 }
 
+/// Of a start that hardly leads what was found elsewhere; else nothing.
+std::string unsure_start(const Result& result) {
+  constexpr double kSureLead = 1.1;  // as for the choice of a side
+  if (!result.start || result.start->lead >= kSureLead) return {};
+  return fmt::format(
+      "unsure start: in frame {} a pose elsewhere has only {:.2f} times the energy; [initial_pose] "
+      "in take.toml would decide\n",
+      result.start->frame, result.start->lead);
+}
+
 /// The bones that the pictures say nearly nothing of: their angles are a guess.
 std::string unseen_bones(const Result& result) {
   constexpr double kSeen = 0.1;
@@ -135,6 +145,7 @@ std::string fit_summary(const Result& result) {
   if (verdict.trusted > 0) {
     lines += fmt::format("overlap with the silhouettes: {}\n", overlaps(result, doubts));
   }
+  lines += unsure_start(result);
   if (const std::string angles = unsure_angles(result); !angles.empty()) {
     lines += fmt::format("least sure: {}\n", angles);
   }

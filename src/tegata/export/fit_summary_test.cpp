@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "tegata/base/text.h"
 
@@ -59,6 +60,19 @@ TEST(FitSummary, StaysShortHoweverMuchIsWrong) {
   EXPECT_LE(std::count(summary.begin(), summary.end(), '\n'), 12) << summary;
   EXPECT_NE(summary.find("and 25 more"), std::string::npos) << summary;
   EXPECT_TRUE(summary.starts_with("poor: ")) << summary;
+}
+
+TEST(FitSummary, WarnsOfAStartThatHardlyLeads) {
+  Result result = good_result(12);
+  for (const double lead : {1.5, std::numeric_limits<double>::infinity()}) {
+    result.start = {"f4", lead};
+    EXPECT_EQ(fit_summary(result).find("unsure start"), std::string::npos) << lead;
+  }
+  result.start = {"f4", 1.04};
+  const std::string summary = fit_summary(result);
+  EXPECT_NE(summary.find("unsure start: in frame f4 a pose elsewhere has only 1.04 times"),
+            std::string::npos)
+      << summary;
 }
 
 TEST(FitSummary, NamesUnsureAnglesAndUnseenBones) {

@@ -25,6 +25,9 @@ constexpr std::size_t kCommonStages = 2;
 constexpr double kAlikeTurn = 0.05;     // of the hand and of each joint [rad]
 constexpr double kAlikeLength = 0.003;  // [m]
 
+// A mean distance of keypoints [m] from which on another fit is no variant but another place.
+constexpr double kElsewhere = 0.015;
+
 // Contours with a wider kernel [m] are looked at less closely.
 constexpr double kFineSigma = 0.004;
 
@@ -104,6 +107,22 @@ std::vector<FrameFit> fit_all(const FitHand& hand, const FitFrame& frame,
   std::vector<FrameFit> fits;
   for (Run& run : runs) fits.push_back(std::move(run.fit));
   return fits;
+}
+
+// The first of fits in the order of their energies, and how far it leads.
+FrameFit winner_of(const FitHand& hand, std::vector<FrameFit> fits) {
+  FrameFit winner = std::move(fits.front());
+  const Skeleton& skeleton = hand.model->skeleton;
+  const auto keypoints = posed_keypoints(skeleton, winner.pose);
+  const auto is_elsewhere = [&](const FrameFit& other) {
+    const auto there = posed_keypoints(skeleton, other.pose);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < there.size(); ++k) sum += (there[k] - keypoints[k]).norm();
+    return sum > kElsewhere * hand.scale * static_cast<double>(there.size());
+  };
+  const auto second = std::find_if(fits.begin() + 1, fits.end(), is_elsewhere);
+  if (second != fits.end()) winner.lead = second->report.energy / winner.report.energy;
+  return winner;
 }
 
 }  // namespace
@@ -205,13 +224,15 @@ FrameFit fit_frame_from_best(const FitHand& hand, const FitFrame& frame,
     throw Error("frame fit: got ", starts.size(), " starts and ", schedules.size(),
                 " schedules, expected at least one of each, and a stage");
   }
-  if (starts.size() <= kept) return fit_all(hand, frame, starts, schedules, threads).front();
+  if (starts.size() <= kept) {
+    return winner_of(hand, fit_all(hand, frame, starts, schedules, threads));
+  }
   const FitSchedule first{{schedules.front().stages.front()}};
   std::vector<HandPose> best;
   for (const FrameFit& fit : fit_all(hand, frame, starts, {first}, threads)) {
     if (best.size() < std::max<std::size_t>(kept, 1)) best.push_back(fit.pose);
   }
-  return fit_all(hand, frame, best, schedules, threads).front();
+  return winner_of(hand, fit_all(hand, frame, best, schedules, threads));
 }
 
 FrameFit fit_frame_from_nothing(const FitHand& hand, const FitFrame& frame,

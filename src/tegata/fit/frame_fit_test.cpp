@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tegata/base/error.h"
 #include "tegata/fit/test_scene.h"
 
@@ -24,6 +26,22 @@ TEST(FrameFit, TheBestOfSeveralStartsWins) {
         fit_frame_from_best(fit_hand, frame, starts, 1, {hull_first_schedule()}, 2);
     EXPECT_LT(test::mean_keypoint_distance(hand, fit.pose, truth), 0.002);
   }
+}
+
+TEST(FrameFit, TheWinnerLeadsWhatIsElsewhereNotItsOwnVariants) {
+  const HandModel& hand = test::coarse_hand();
+  const HandPose truth = test::grasping_pose(0.3);
+  const FitFrame frame = test::perfect_frame(hand, truth, test::orthogonal_rig(0.8));
+  HandPose near = truth, upside_down = truth;
+  near.world_from_hand.translation.x() += 0.004;
+  upside_down.world_from_hand.rotation =
+      truth.world_from_hand.rotation * so3_exp({0.0, std::numbers::pi, 0.0});
+  const auto lead = [&](const HandPose& other) {
+    return fit_frame_from_best(FitHand(hand), frame, {truth, other}, 2, search_schedules(), 2).lead;
+  };
+  EXPECT_EQ(lead(near), std::numeric_limits<double>::infinity());
+  EXPECT_GT(lead(upside_down), 1.5);
+  EXPECT_LT(lead(upside_down), std::numeric_limits<double>::infinity());
 }
 
 TEST(FrameFit, RefusesNoStartAndNoStage) {

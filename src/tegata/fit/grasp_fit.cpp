@@ -314,6 +314,7 @@ GraspFit fit_from(const FitHand& hand, const FrameSource& frames, const Beginnin
   GraspFit grasp;
   grasp.poses.resize(frames.size());
   grasp.left_out.resize(frames.size());
+  grasp.start = {beginning.frame, beginning.measured.fit.lead};
   const Stopwatch frame_watch;
   const std::vector<FrameFit> fits = fit_outwards(hand, frames, beginning, options, observer);
   grasp.frame_seconds = frame_watch.seconds();

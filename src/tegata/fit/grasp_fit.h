@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,12 @@ struct GraspFitOptions {
   int threads = 0;
 };
 
+/// The frame from which the others were found.
+struct GraspStart {
+  std::size_t frame = 0;                                  ///< by position
+  double lead = std::numeric_limits<double>::infinity();  ///< FrameFit::lead of its pose
+};
+
 struct GraspFit {
   std::vector<HandPose> poses;      ///< one a frame
   JointAngles angles;               ///< shared, or the mean of the frames'
@@ -37,6 +44,7 @@ struct GraspFit {
   HiddenObject object;              ///< empty with a free grasp
   /// Cameras whose views contradicted the others and were left out, for each frame.
   std::vector<std::vector<std::string>> left_out;
+  std::optional<GraspStart> start;  ///< empty where the poses were given
   int iterations = 0;
   Termination termination = Termination::iteration_limit;
   double frame_seconds = 0.0, all_frames_seconds = 0.0;

@@ -122,6 +122,9 @@ TEST(GraspFit, StartsWithoutLandmarks) {
   options.joint.object_rounds = 0;
   const GraspFit fit = fit_grasp(FitHand(hand), GivenFrames(frames), options, {});
   EXPECT_LT(test::mean_keypoint_distance(hand, fit.poses[0], truth), 0.004);
+  ASSERT_TRUE(fit.start);
+  EXPECT_EQ(fit.start->frame, 0U);
+  EXPECT_GT(fit.start->lead, 1.0);
 }
 
 TEST(GraspFit, AFirstFrameThatShowsSomethingElseMisleadsNoOther) {

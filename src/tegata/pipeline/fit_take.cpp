@@ -62,6 +62,10 @@ Result fit_take(Take& take, const HandModel& hand_model, const FitTakeOptions& o
   result.grasp_standard_deviations = grasp.standard_deviations;
   result.object = grasp.object.surface;
   result.object_confidence = grasp.object.confidence;
+  if (grasp.start) {
+    const std::size_t f = prepared.usable()[grasp.start->frame];
+    result.start = {prepared.frames().brief(f).name, grasp.start->lead};
+  }
   result.iterations = grasp.iterations;
   result.termination = termination_name(grasp.termination);
   for (std::size_t f = 0; f < prepared.frames().size(); ++f) {

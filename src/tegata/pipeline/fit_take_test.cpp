@@ -41,6 +41,8 @@ TEST(FitTake, MasksOfAKnownHandGiveItsPose) {
   };
   const Result result = fit_take(take, test::small_hand(), options, {});
   ASSERT_EQ(result.frames.size(), 3U);
+  ASSERT_TRUE(result.start);
+  EXPECT_EQ(result.start->frame, "000000");
   EXPECT_EQ(hulls, (std::vector<std::string>{"000000", "000001", "000002"}));
   for (std::size_t f = 0; f < 3; ++f) {
     EXPECT_EQ(result.frames[f].status, "ok");

@@ -112,6 +112,19 @@ ResultFrame frame_from_json(const JsonValue& entry) {
   return frame;
 }
 
+ordered_json start_to_json(const ResultStart& start) {
+  ordered_json entry = {{"frame", start.frame}};
+  if (std::isfinite(start.lead)) entry["lead"] = start.lead;
+  return entry;
+}
+
+ResultStart start_from_json(const JsonValue& entry) {
+  ResultStart start;
+  start.frame = entry.at("frame").string();
+  if (entry.has("lead")) start.lead = entry.at("lead").number();
+  return start;
+}
+
 void read_model(const JsonValue& model, Result& result) {
   result.model_name = model.at("name").string();
   result.model_shape = numbers_by_name(model.at("shape"));
@@ -187,6 +200,7 @@ void write_result_json(const Result& result, const std::filesystem::path& file) 
   root["report"] = {{"iterations", result.iterations},
                     {"termination", result.termination},
                     {"seconds", result.seconds}};
+  if (result.start) root["report"]["start"] = start_to_json(*result.start);
   write_file(file, lines_of_json(root, file));
 }
 
@@ -216,6 +230,7 @@ Result read_result_json(const std::filesystem::path& file) {
   result.iterations = report.at("iterations").integer();
   result.termination = report.at("termination").string();
   result.seconds = numbers_by_name(report.at("seconds"));
+  if (report.has("start")) result.start = start_from_json(report.at("start"));
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,6 +32,14 @@ struct ResultFrame {
   std::map<std::string, std::string> left_out;            ///< why, by camera that was not used
 };
 
+/// Where a fit began without being told where the hand is.
+struct ResultStart {
+  std::string frame;
+  /// The energy of the next best pose elsewhere over that of the one chosen: near 1 nothing is
+  /// proven. Infinite where all that was tried has come to the same place.
+  double lead = std::numeric_limits<double>::infinity();
+};
+
 /// result.json in memory; see docs/formats.md.
 struct Result {
   std::string take;
@@ -46,6 +55,7 @@ struct Result {
   /// empty where nothing was found. Not part of result.json.
   TriangleMesh object;
   std::vector<float> object_confidence;
+  std::optional<ResultStart> start;
   int iterations = 0;
   std::string termination;
   std::map<std::string, double> seconds;  ///< by stage

@@ -29,6 +29,7 @@ Result some_result() {
   result.iterations = 12;
   result.termination = "converged";
   result.seconds = {{"hull", 0.25}, {"fit", 1.5}};
+  result.start = {"000001", 4.0 / 3.0};
   ResultFrame fitted;
   fitted.name = "000000";
   fitted.time = 1.0 / 30.0;
@@ -72,6 +73,19 @@ std::string error_reading(const std::string& from, const std::string& to) {
   return error_of([&] { read_result_json(folder / "result.json"); });
 }
 
+TEST(Result, AStartWithoutARivalStaysWithoutOne) {
+  Result result = some_result();
+  result.start->lead = std::numeric_limits<double>::infinity();
+  const TestFolder folder;
+  write_result_json(result, folder / "result.json");
+  const Result back = read_result_json(folder / "result.json");
+  ASSERT_TRUE(back.start);
+  EXPECT_EQ(back.start->lead, result.start->lead);
+  result.start.reset();
+  write_result_json(result, folder / "result.json");
+  EXPECT_FALSE(read_result_json(folder / "result.json").start);
+}
+
 TEST(Result, ReadsBackTheSameToTheBit) {
   const Result result = some_result();
   const TestFolder folder;
@@ -88,6 +102,9 @@ TEST(Result, ReadsBackTheSameToTheBit) {
   EXPECT_EQ(back.iterations, result.iterations);
   EXPECT_EQ(back.termination, result.termination);
   EXPECT_EQ(back.seconds, result.seconds);
+  ASSERT_TRUE(back.start);
+  EXPECT_EQ(back.start->frame, result.start->frame);
+  EXPECT_EQ(back.start->lead, result.start->lead);
   ASSERT_EQ(back.frames.size(), result.frames.size());
   for (std::size_t i = 0; i < back.frames.size(); ++i) {
     const ResultFrame& a = back.frames[i];
