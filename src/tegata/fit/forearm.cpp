@@ -55,13 +55,13 @@ double from_axis(const Eigen::Vector3d& point, const Eigen::Vector3d& axis) {
 
 // The points, in the hand's frame, that can be the forearm's, and the axis through the wrist that
 // they lie about.
-struct Forearm {
+struct HullPart {
   std::vector<Eigen::Vector3d> points;
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 
   template <typename Belongs>
-  Forearm among(const Belongs& belongs) const {
-    Forearm found;
+  HullPart among(const Belongs& belongs) const {
+    HullPart found;
     for (const Eigen::Vector3d& point : points) {
       if (!belongs(point)) continue;
       found.points.push_back(point);
@@ -74,8 +74,8 @@ struct Forearm {
 };
 
 // About the axis of what is near the wrist, then about that of what is found so.
-Forearm about_its_axis(const Forearm& behind, double scale) {
-  Forearm found =
+HullPart about_its_axis(const HullPart& behind, double scale) {
+  HullPart found =
       behind.among([scale](const Eigen::Vector3d& point) { return point.norm() < kNear * scale; });
   if (!found.is_seen()) found = behind;
   for (int round = 0; round < 2 && found.is_seen(); ++round) {
@@ -115,19 +115,19 @@ TriangleMesh body(const std::vector<AxisPoint>& rings, const Eigen::Vector3d& ax
 
 }  // namespace
 
-std::optional<TriangleMesh> find_forearm(const FitHand& hand, const FitFrame& frame,
-                                         const Rigid3d& world_from_hand) {
+std::optional<Forearm> find_forearm(const FitHand& hand, const FitFrame& frame,
+                                    const Rigid3d& world_from_hand) {
   if (!frame.hull) return std::nullopt;
   const Rigid3d hand_from_world = world_from_hand.inverse();
-  Forearm hull;
+  HullPart hull;
   for (const Eigen::Vector3d& point : frame.hull->nearest.points()) {
     hull.points.push_back(hand_from_world * point);
   }
-  const Forearm behind = hull.among([&hand](const Eigen::Vector3d& point) {
+  const HullPart behind = hull.among([&hand](const Eigen::Vector3d& point) {
     return point.y() < -kBegin * hand.scale && point.norm() < kEnd * hand.scale;
   });
   if (!behind.is_seen()) return std::nullopt;
-  const Forearm forearm = about_its_axis(behind, hand.scale);
+  const HullPart forearm = about_its_axis(behind, hand.scale);
   if (!forearm.is_seen()) return std::nullopt;
   const Eigen::Vector3d& axis = forearm.axis;
   std::vector<AxisPoint> points;
@@ -136,9 +136,9 @@ std::optional<TriangleMesh> find_forearm(const FitHand& hand, const FitFrame& fr
   }
   const std::vector<AxisPoint> rings = rings_of(points, hand.scale);
   if (rings.size() < 2) return std::nullopt;
-  TriangleMesh mesh = body(rings, axis);
-  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = world_from_hand * vertex;
-  return mesh;
+  Forearm found{body(rings, axis), world_from_hand * (rings.back().along * axis)};
+  for (Eigen::Vector3d& vertex : found.surface.vertices) vertex = world_from_hand * vertex;
+  return found;
 }
 
 }  // namespace tegata

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 
 #include "tegata/fit/fit_frame.h"
@@ -10,10 +11,16 @@
 
 namespace tegata {
 
-/// Where the forearm is when the hand is in a pose: what of the frame's hull lies behind the wrist,
-/// as a body of rings about a straight axis from the wrist, in world coordinates [m]. The wrist
-/// bends, so no pose of the hand tells. Nothing where there is no hull or too little of it there.
-std::optional<TriangleMesh> find_forearm(const FitHand& hand, const FitFrame& frame,
-                                         const Rigid3d& world_from_hand);
+/// A body of rings about a straight axis from the wrist, in world coordinates [m].
+struct Forearm {
+  TriangleMesh surface;
+  Eigen::Vector3d end;  ///< of the axis, where the hull ends
+};
+
+/// Where the forearm is when the hand is in a pose: what of the frame's hull lies behind the wrist.
+/// The wrist bends, so no pose of the hand tells. Nothing where there is no hull or too little of
+/// it there.
+std::optional<Forearm> find_forearm(const FitHand& hand, const FitFrame& frame,
+                                    const Rigid3d& world_from_hand);
 
 }  // namespace tegata

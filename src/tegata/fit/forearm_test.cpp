@@ -37,8 +37,8 @@ TEST(Forearm, FollowsTheHullBehindABentWrist) {
   const Eigen::Vector3d axis = Eigen::Vector3d(0.3, -1.0, 0.4).normalized();
   const auto forearm = find_forearm(hand, frame_of(arm_hull(pose, axis, 0.03)), pose);
   ASSERT_TRUE(forearm.has_value());
-  EXPECT_TRUE(inspect_topology(*forearm).closed);
-  for (const Eigen::Vector3d& vertex : forearm->vertices) {
+  EXPECT_TRUE(inspect_topology(forearm->surface).closed);
+  for (const Eigen::Vector3d& vertex : forearm->surface.vertices) {
     const Eigen::Vector3d in_hand = pose.inverse() * vertex;
     EXPECT_GT(axis.dot(in_hand), 0.0) << "reaches into the hand";
     EXPECT_NEAR((in_hand - axis.dot(in_hand) * axis).norm(), 0.034, 0.006);
@@ -58,7 +58,7 @@ TEST(Forearm, PiecesInEmptySpaceAreNoneOfIt) {
   }
   const auto forearm = find_forearm(hand, frame_of(hull), pose);
   ASSERT_TRUE(forearm.has_value());
-  for (const Eigen::Vector3d& vertex : forearm->vertices) {
+  for (const Eigen::Vector3d& vertex : forearm->surface.vertices) {
     const Eigen::Vector3d in_hand = pose.inverse() * vertex;
     EXPECT_LT((in_hand - axis.dot(in_hand) * axis).norm(), 0.045);
   }

@@ -7,6 +7,7 @@
 
 #include "tegata/base/parallel.h"
 #include "tegata/fit/forearm.h"
+#include "tegata/fit/forearm_picture.h"
 #include "tegata/image/rasterizer.h"
 
 namespace tegata {
@@ -19,12 +20,14 @@ std::vector<FitFrame> with_surroundings(const FitHand& hand,
   for (const FitFrame* frame : frames) result.push_back(*frame);
   parallel_for(frames.size(), threads, [&](std::size_t f) {
     const Rigid3d& world_from_hand = estimate.world_from_hand[f];
-    const std::optional<TriangleMesh> forearm = find_forearm(hand, *frames[f], world_from_hand);
+    const std::optional<Forearm> forearm = find_forearm(hand, *frames[f], world_from_hand);
+    const PosedHand posed = hand.posed(estimate.pose(f));
     TriangleMesh object_in_world = object;
     for (Eigen::Vector3d& vertex : object_in_world.vertices) vertex = world_from_hand * vertex;
     for (FitView& view : result[f].views) {
       if (forearm) {
-        view.forearm = std::make_shared<const Silhouette>(render_silhouette(*forearm, view.camera));
+        view.forearm =
+            std::make_shared<const Silhouette>(forearm_picture(hand, posed, view, *forearm));
       }
       if (!object.triangles.empty()) {
         view.hiding_depth =
