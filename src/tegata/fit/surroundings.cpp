@@ -26,8 +26,8 @@ std::vector<FitFrame> with_surroundings(const FitHand& hand,
     for (Eigen::Vector3d& vertex : object_in_world.vertices) vertex = world_from_hand * vertex;
     for (FitView& view : result[f].views) {
       if (forearm) {
-        view.forearm =
-            std::make_shared<const Silhouette>(forearm_picture(hand, posed, view, *forearm));
+        view.forearm = std::make_shared<const Silhouette>(
+            forearm_picture(hand, posed, *frames[f], view.camera, *forearm));
       }
       if (!object.triangles.empty()) {
         view.hiding_depth =
