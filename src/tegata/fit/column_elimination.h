@@ -3,22 +3,28 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+#include "tegata/base/instruction_set.h"
 
 namespace tegata {
 
 /// The first columns of H x = -g, H symmetric and positive, eliminated one after the other: L D L^T
 /// without exchanging anything, which damping makes safe. Of H there is what is on and below the
 /// diagonal, g is its last row. For the few dozen rows of a fit: all memory is inside, and what is
-/// multiplied runs along columns, four rows at once.
+/// multiplied runs along columns, by vector. Every instruction set gives the same bits; it must be
+/// supported.
 template <int kMostColumns, int kMostRows>
 class ColumnElimination {
  public:
   /// Of so many rows, the gradient's included. Columns are to be filled before they are eliminated.
-  explicit ColumnElimination(Eigen::Index rows) : rows_(rows) {
-    values_.middleRows(rows, kLanes - 1).setZero();
+  explicit ColumnElimination(Eigen::Index rows, InstructionSet set = best_instruction_set())
+      : rows_(rows), set_(set) {
+    values_.middleRows(rows, kMostLanes - 1).setZero();
   }
 
-  /// A column from its first row on; what is above the diagonal is never looked at.
+  /// A column from its first row on; what is filled in above the diagonal is never looked at.
   auto column(Eigen::Index j) { return values_.col(j).head(rows_); }
   auto column(Eigen::Index j) const { return values_.col(j).head(rows_); }
 
@@ -31,55 +37,160 @@ class ColumnElimination {
   }
 
   void eliminate(Eigen::Index count) {
-    for (count_ = 0; count_ < count; ++count_) {
-      subtract_from(*this, count_, count_);
-      const double pivot = values_(count_, count_);
-      inverse_pivots_[count_] = pivot > 0.0 ? 1.0 / pivot : 0.0;
-    }
+    constexpr std::array kRuns = {eliminate_baseline, eliminate_avx2, eliminate_avx512};
+    kRuns[static_cast<std::size_t>(set_)](*this, count);
   }
 
-  /// Takes what the eliminated columns hold of row `row` and those below it from a column of what
-  /// is left, which has that row on its diagonal.
+  /// Takes what the eliminated columns hold of the rows from `row` on from as many columns, the
+  /// first ones of what is left, which have these rows on their diagonals.
   template <typename Left>
-  void subtract_from(Left& left, Eigen::Index column, Eigen::Index row) const {
-    Eigen::Matrix<double, kMostColumns, 1> factors;
-    for (Eigen::Index k = 0; k < count_; ++k) factors[k] = values_(row, k) * inverse_pivots_[k];
-    double* const diagonal = &left.values_(column, column);
-    for (Eigen::Index i = row; i < rows_; i += kLanes) {
-      Eigen::Map<FourRows> rows(diagonal + (i - row));
-      FourRows sum = rows;
-      Eigen::Index k = 0;
-      for (; k + 1 < count_; k += 2) {  // by twos, as each difference waits for the one before
-        sum -= factors[k] * part(k, i) + factors[k + 1] * part(k + 1, i);
-      }
-      if (k < count_) sum -= factors[k] * part(k, i);
-      rows = sum;
-    }
+  void subtract_from(Left& left, Eigen::Index count, Eigen::Index row) const {
+    constexpr std::array kRuns = {subtract_baseline<Left>, subtract_avx2<Left>,
+                                  subtract_avx512<Left>};
+    kRuns[static_cast<std::size_t>(set_)](*this, left, count, row);
   }
 
   /// Finds the first entries of x, as many as columns are eliminated, from those after them.
   template <typename Solution>
   void substitute_back(Solution& x) const {
+    const Eigen::Index last = rows_ - 1;
+    double left[kMostColumns + kLanes - 1];
+    for (Eigen::Index k = 0; k < count_; ++k) {
+      double sum = *place(last, k);
+      for (Eigen::Index i = count_; i < last; ++i) sum += *place(i, k) * x[i];
+      left[k] = -inverse_pivots_[k] * sum;
+    }
+    // What is found goes into all before it at once: a sum over all found would wait for the last.
     for (Eigen::Index j = count_; j-- > 0;) {
-      const Eigen::Index below = rows_ - 2 - j;
-      const double known = values_.col(j).segment(j + 1, below).dot(x.segment(j + 1, below));
-      x[j] = -inverse_pivots_[j] * (values_(rows_ - 1, j) + known);
+      const double found = x[j] = left[j];
+      for (Eigen::Index k = 0; k < j; k += kLanes) {
+        rows_at<kLanes>(left + k) -= found * rows_at<kLanes>(place(k, j));
+      }
     }
   }
 
  private:
-  using FourRows = Eigen::Array<double, 4, 1>;
-
-  Eigen::Map<const FourRows> part(Eigen::Index column, Eigen::Index row) const {
-    return Eigen::Map<const FourRows>(values_.col(column).data() + row);
-  }
-
   template <int kColumns, int kRows>
   friend class ColumnElimination;
-  static constexpr int kLanes = 4;
+  static constexpr Eigen::Index kLanes = 2, kMostLanes = 8;  // of the baseline, of all
+
+  // So many rows of a column, wherever they begin.
+  template <Eigen::Index kCount>
+  struct Rows {
+    using Vector [[gnu::vector_size(kCount * sizeof(double)), gnu::aligned(alignof(double)),
+                   gnu::may_alias]] = double;
+  };
+  template <Eigen::Index kCount>
+  using RowVector = typename Rows<kCount>::Vector;
+
+  template <Eigen::Index kCount>
+  TEGATA_KERNEL static const RowVector<kCount>& rows_at(const double* first) {
+    return *reinterpret_cast<const RowVector<kCount>*>(first);
+  }
+  template <Eigen::Index kCount>
+  TEGATA_KERNEL static RowVector<kCount>& rows_at(double* first) {
+    return *reinterpret_cast<RowVector<kCount>*>(first);
+  }
+
+  TEGATA_KERNEL double* place(Eigen::Index row, Eigen::Index column) {
+    return values_.data() + column * kStride + row;
+  }
+  TEGATA_KERNEL const double* place(Eigen::Index row, Eigen::Index column) const {
+    return values_.data() + column * kStride + row;
+  }
+
+  TEGATA_KERNEL double invert_pivot(Eigen::Index k) {
+    const double pivot = *place(k, k);
+    return inverse_pivots_[k] = pivot > 0.0 ? 1.0 / pivot : 0.0;
+  }
+
+  // Takes one column or two that follow each other from column j. Above its diagonal that keeps how
+  // often, for substitute_back().
+  template <Eigen::Index kCount>
+  TEGATA_KERNEL void take(Eigen::Index k, double inverse, Eigen::Index j) {
+    const double factor = *place(k, j) = *place(j, k) * inverse;
+    for (Eigen::Index i = j; i < rows_; i += kCount) {
+      rows_at<kCount>(place(i, j)) -= factor * rows_at<kCount>(place(i, k));
+    }
+  }
+  template <Eigen::Index kCount>
+  TEGATA_KERNEL void take_two(Eigen::Index k, double inverse, double next_inverse, Eigen::Index j) {
+    const double factor = *place(k, j) = *place(j, k) * inverse;
+    const double next = *place(k + 1, j) = *place(j, k + 1) * next_inverse;
+    for (Eigen::Index i = j; i < rows_; i += kCount) {
+      rows_at<kCount>(place(i, j)) -=
+          factor * rows_at<kCount>(place(i, k)) + next * rows_at<kCount>(place(i, k + 1));
+    }
+  }
+
+  // Each pair of columns is taken from all after it at once: a sum over all before a column would
+  // keep its pivot waiting.
+  template <Eigen::Index kCount>
+  TEGATA_KERNEL static void eliminate_by(ColumnElimination& all, Eigen::Index count) {
+    all.count_ = count;
+    Eigen::Index k = 0;
+    for (; k + 1 < count; k += 2) {
+      const double inverse = all.invert_pivot(k);
+      all.template take<kCount>(k, inverse, k + 1);
+      const double next_inverse = all.invert_pivot(k + 1);
+      for (Eigen::Index j = k + 2; j < count; ++j) {
+        all.template take_two<kCount>(k, inverse, next_inverse, j);
+      }
+    }
+    if (k < count) all.invert_pivot(k);
+  }
+  static void eliminate_baseline(ColumnElimination& all, Eigen::Index count) {
+    eliminate_by<kLanes>(all, count);
+  }
+  TEGATA_AVX2 static void eliminate_avx2(ColumnElimination& all, Eigen::Index count) {
+    eliminate_by<4>(all, count);
+  }
+  TEGATA_AVX512 static void eliminate_avx512(ColumnElimination& all, Eigen::Index count) {
+    eliminate_by<kMostLanes>(all, count);
+  }
+
+  template <Eigen::Index kCount, typename Left>
+  TEGATA_KERNEL static void subtract_by(const ColumnElimination& all, Left& left,
+                                        Eigen::Index count, Eigen::Index row) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      double factors[kMostColumns];
+      for (Eigen::Index k = 0; k < all.count_; ++k) {
+        factors[k] = *all.place(row + j, k) * all.inverse_pivots_[k];
+      }
+      for (Eigen::Index i = row + j; i < all.rows_; i += kCount) {
+        RowVector<kCount>& rows = rows_at<kCount>(left.place(i - row, j));
+        RowVector<kCount> sum = rows;
+        Eigen::Index k = 0;
+        for (; k + 1 < all.count_; k += 2) {  // by twos, as each difference waits for the last
+          sum -= factors[k] * rows_at<kCount>(all.place(i, k)) +
+                 factors[k + 1] * rows_at<kCount>(all.place(i, k + 1));
+        }
+        if (k < all.count_) sum -= factors[k] * rows_at<kCount>(all.place(i, k));
+        rows = sum;
+      }
+    }
+  }
+  template <typename Left>
+  static void subtract_baseline(const ColumnElimination& all, Left& left, Eigen::Index count,
+                                Eigen::Index row) {
+    subtract_by<kLanes>(all, left, count, row);
+  }
+  template <typename Left>
+  TEGATA_AVX2 static void subtract_avx2(const ColumnElimination& all, Left& left,
+                                        Eigen::Index count, Eigen::Index row) {
+    subtract_by<4>(all, left, count, row);
+  }
+  template <typename Left>
+  TEGATA_AVX512 static void subtract_avx512(const ColumnElimination& all, Left& left,
+                                            Eigen::Index count, Eigen::Index row) {
+    subtract_by<kMostLanes>(all, left, count, row);
+  }
+
+  static constexpr Eigen::Index kStride = kMostRows + kMostLanes - 1;  // with room for the lanes
 
   Eigen::Index rows_, count_ = 0;
-  Eigen::Matrix<double, kMostRows + kLanes - 1, kMostColumns> values_;  // with room for the lanes
+  InstructionSet set_;
+  Eigen::Matrix<double, kStride, kMostColumns> values_;
   Eigen::Matrix<double, kMostColumns, 1> inverse_pivots_;
 };
 

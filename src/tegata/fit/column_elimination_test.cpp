@@ -38,6 +38,33 @@ TEST(ColumnElimination, AgreesWithCholeskyWhateverTheRowsThatAreLeftOfFour) {
   }
 }
 
+TEST(ColumnElimination, EveryInstructionSetGivesTheSameBits) {
+  Random random(7);
+  const Eigen::MatrixXd system = random_system(8, random);
+  // Five columns of eight, then what they leave of the other three.
+  const auto solved = [&](InstructionSet set) {
+    ColumnElimination<5, 9> first(9, set);
+    Elimination second(4, set);
+    for (Eigen::Index j = 0; j < 5; ++j) first.column(j) = system.col(j);
+    for (Eigen::Index j = 0; j < 3; ++j) second.column(j) = system.col(5 + j).tail(4);
+    first.eliminate(5);
+    first.subtract_from(second, 3, 5);
+    second.eliminate(3);
+    Eigen::VectorXd found(8), last(3);
+    second.substitute_back(last);
+    found.tail(3) = last;
+    first.substitute_back(found);
+    return found;
+  };
+  const Eigen::VectorXd baseline = solved(InstructionSet::baseline);
+  const Eigen::VectorXd expected = system.topRows(8).llt().solve(-system.row(8).transpose());
+  EXPECT_LT((baseline - expected).norm(), 1e-10 * expected.norm());
+  for (const InstructionSet set : kInstructionSets) {
+    if (!is_supported(set)) continue;
+    EXPECT_EQ(solved(set), baseline) << instruction_set_name(set);
+  }
+}
+
 TEST(ColumnElimination, AColumnOfZerosIsLeftAtZero) {
   Random random(6);
   Eigen::MatrixXd system = random_system(3, random);

@@ -56,10 +56,6 @@ SharedColumns damped_columns(const ArrowSystem::SharedMatrix& hessian,
   return columns;
 }
 
-void subtract(const PoseColumns& pose, Eigen::Index shared_count, SharedColumns& shared) {
-  for (Eigen::Index j = 0; j < shared_count; ++j) pose.subtract_from(shared, j, kP + j);
-}
-
 }  // namespace
 
 FrameEquations::FrameEquations(int shape_count)
@@ -127,7 +123,9 @@ ArrowSystem::ArrowSystem(std::span<const FrameEquations> frames, const FrameEqua
 ArrowSystem::Reduced ArrowSystem::reduced(double damping) const {
   const Eigen::Index count = shared_gradient_.size();
   SharedColumns columns = damped_columns(shared_hessian_, shared_gradient_, damping);
-  for (const FrameEquations& frame : frames_) subtract(PoseColumns(frame, damping), count, columns);
+  for (const FrameEquations& frame : frames_) {
+    PoseColumns(frame, damping).subtract_from(columns, count, kP);
+  }
   Reduced left{SharedMatrix(count, count), SharedVector(count)};
   for (Eigen::Index j = 0; j < count; ++j) {
     left.matrix.col(j) = columns.column(j).head(count);
@@ -152,10 +150,10 @@ ArrowStep ArrowSystem::solve(double damping) const {
   std::vector<PoseColumns> poses;
   poses.reserve(frames_.size());
   for (const FrameEquations& frame : frames_) {
-    subtract(poses.emplace_back(frame, damping), count, columns);
+    poses.emplace_back(frame, damping).subtract_from(columns, count, kP);
   }
   columns.eliminate(count);
-  SharedVector shared(count);
+  SharedVector shared = SharedVector::Zero(count);
   columns.substitute_back(shared);
   ArrowStep step = step_of(shared);
   step.poses.reserve(frames_.size());
