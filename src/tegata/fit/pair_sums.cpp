@@ -96,27 +96,66 @@ TEGATA_KERNEL void add_some_products(std::span<const Columns<kAngles>> blocks,
 
 template <typename Set, std::size_t kFirst, std::size_t kAngles>
 TEGATA_KERNEL void add_products(std::span<const Columns<kAngles>> blocks, Lanes* sums) {
-  constexpr std::size_t kLast = std::tuple_size_v<PairSums<kAngles>>;
+  constexpr std::size_t kLast = kPairProducts<kAngles>;
   constexpr std::size_t kNext = std::min(kFirst + Set::kSums, kLast);
   add_some_products<Set, kFirst, kAngles>(blocks, std::make_index_sequence<kNext - kFirst>(), sums);
   if constexpr (kNext < kLast) add_products<Set, kNext, kAngles>(blocks, sums);
 }
 
-// Two passes, as the second takes products side by side.
-template <std::size_t kCount>
-TEGATA_KERNEL void add_lanes(const std::array<Lanes, kCount>& lanes,
-                             std::array<double, kCount>& sums) {
-  alignas(64) float four[kCount][4];
-  for (std::size_t p = 0; p < kCount; ++p) {
-#pragma GCC unroll 1
-    for (std::size_t i = 0; i < 4; ++i) {
-      four[p][i] = (lanes[p][i] + lanes[p][i + 8]) + (lanes[p][i + 4] + lanes[p][i + 12]);
+// Of two vectors with a segment of so many lanes for each product half as many lanes for each of
+// both: far halves of a segment are added to each other, of four lanes and fewer each to its
+// neighbour.
+template <std::size_t kSegment, typename Vector, int... kLane>
+TEGATA_KERNEL void fold(const Vector& a, const Vector& b, Vector& sum,
+                        std::integer_sequence<int, kLane...>) {
+  constexpr int kHalf = kSegment / 2;
+  constexpr bool kFar = kSegment > 4;
+  constexpr auto from = [](int lane, int of_two) {
+    const int first = lane / kHalf * 2 * kHalf, within = lane % kHalf;
+    return first + (kFar ? within + of_two * kHalf : 2 * within + of_two);
+  };
+  sum = __builtin_shufflevector(a, b, from(kLane, 0)...) +
+        __builtin_shufflevector(a, b, from(kLane, 1)...);
+}
+
+// The sum of the lanes of each of as many vectors as they have lanes, in the first one.
+template <std::size_t kSegment, std::size_t kFloats, typename Vector>
+TEGATA_KERNEL void add_across(Vector* vectors) {
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < kSegment / 2; ++i) {
+    fold<kSegment>(vectors[2 * i], vectors[2 * i + 1], vectors[i],
+                   std::make_integer_sequence<int, static_cast<int>(kFloats)>());
+  }
+  if constexpr (kSegment > 2) add_across<kSegment / 2, kFloats>(vectors);
+}
+
+// By fours, but for the widest registers, which have instructions for any order of lanes. The order
+// is that of all: lanes at a distance of 8, of 4, then neighbours.
+template <typename Set, std::size_t kFirst, std::size_t kLanes, std::size_t kSums>
+TEGATA_KERNEL void add_lanes(const std::array<Lanes, kLanes>& lanes, bool is_first,
+                             std::array<double, kSums>& sums) {
+  constexpr std::size_t kFloats = Set::kFloats == kRowLanes ? kRowLanes : 4;
+  using Vector = typename Registers<kFloats, 0>::Vector;
+  using Sums [[gnu::vector_size(kFloats * sizeof(double)), gnu::aligned(alignof(double)),
+               gnu::may_alias]] = double;
+  Vector vectors[kFloats];
+#pragma GCC unroll 16
+  for (std::size_t p = 0; p < kFloats; ++p) {
+    const float* const of = lanes[std::min(kFirst + p, kLanes - 1)].data();
+    if constexpr (kFloats == kRowLanes) {
+      vectors[p] = vector<Vector>(of[0]);
+    } else {
+      vectors[p] = (vector<Vector>(of[0]) + vector<Vector>(of[8])) +
+                   (vector<Vector>(of[4]) + vector<Vector>(of[12]));
     }
   }
-#pragma GCC unroll 1
-  for (std::size_t p = 0; p < kCount; ++p) {
-    sums[p] += static_cast<double>((four[p][0] + four[p][1]) + (four[p][2] + four[p][3]));
-  }
+  add_across<kFloats, kFloats>(vectors);
+  Sums& to = *reinterpret_cast<Sums*>(&sums[kFirst]);
+  Sums now = __builtin_convertvector(vectors[0], Sums);
+  if (!is_first) now += to;
+  to = now;
+  constexpr std::size_t kNext = kFirst + kFloats;
+  if constexpr (kNext < kLanes) add_lanes<Set, kNext>(lanes, is_first, sums);
 }
 
 template <typename Set, std::size_t kAngles>
@@ -124,14 +163,15 @@ TEGATA_KERNEL void run(std::span<const PairBlock> blocks, const JointMotion& mot
                        PairSums<kAngles>& sums) {
   constexpr std::size_t kBlocksAtOnce = 16;  // of which the columns stay in the nearest cache
   alignas(64) std::array<Columns<kAngles>, kBlocksAtOnce> columns;
-  alignas(64) std::array<Lanes, std::tuple_size_v<PairSums<kAngles>>> lanes;
+  alignas(64) std::array<Lanes, kPairProducts<kAngles>> lanes;
+  if (blocks.empty()) sums.fill(0.0);
   for (std::size_t first = 0; first < blocks.size(); first += kBlocksAtOnce) {
     const std::size_t count = std::min(kBlocksAtOnce, blocks.size() - first);
     for (std::size_t b = 0; b < count; ++b) {
       fill_columns<kAngles>(motion, blocks[first + b], columns[b]);
     }
     add_products<Set, 0, kAngles>({columns.data(), count}, lanes.data());
-    add_lanes(lanes, sums);
+    add_lanes<Set, 0>(lanes, first == 0, sums);
   }
 }
 
@@ -157,17 +197,18 @@ TEGATA_AVX512 void run_avx512(std::span<const PairBlock> blocks, const JointMoti
 }  // namespace
 
 template <std::size_t kAngles>
-PairSums<kAngles> pair_sums(std::span<const PairBlock> blocks, const JointMotion& motion,
-                            InstructionSet set) {
+void sum_up(std::span<const PairBlock> blocks, const JointMotion& motion, InstructionSet set,
+            PairSums<kAngles>& sums) {
   constexpr std::array<Run<kAngles>*, 3> kRuns = {run_baseline<kAngles>, run_avx2<kAngles>,
                                                   run_avx512<kAngles>};
-  PairSums<kAngles> sums = {};
   kRuns[static_cast<std::size_t>(set)](blocks, motion, sums);
-  return sums;
 }
 
-template PairSums<0> pair_sums<0>(std::span<const PairBlock>, const JointMotion&, InstructionSet);
-template PairSums<1> pair_sums<1>(std::span<const PairBlock>, const JointMotion&, InstructionSet);
-template PairSums<2> pair_sums<2>(std::span<const PairBlock>, const JointMotion&, InstructionSet);
+template void sum_up<0>(std::span<const PairBlock>, const JointMotion&, InstructionSet,
+                        PairSums<0>&);
+template void sum_up<1>(std::span<const PairBlock>, const JointMotion&, InstructionSet,
+                        PairSums<1>&);
+template void sum_up<2>(std::span<const PairBlock>, const JointMotion&, InstructionSet,
+                        PairSums<2>&);
 
 }  // namespace tegata

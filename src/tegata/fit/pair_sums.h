@@ -36,12 +36,14 @@ struct JointMotion {
 /// two). Moment and normal are the derivatives by a turn about the joint's centre and by a shift,
 /// from which those by all angles before this joint follow.
 template <std::size_t kAngles>
-using PairSums = std::array<double, (7 + kAngles) * (8 + kAngles) / 2>;
+inline constexpr std::size_t kPairProducts = (7 + kAngles) * (8 + kAngles) / 2;
+template <std::size_t kAngles>  // and then up to a whole vector the last one again
+using PairSums = std::array<double, (kPairProducts<kAngles> + 15) / 16 * 16>;
 
 /// Every instruction set gives the same bits; it must be supported. Sums of more than a few hundred
 /// pairs are in double precision.
 template <std::size_t kAngles>
-PairSums<kAngles> pair_sums(std::span<const PairBlock> blocks, const JointMotion& motion,
-                            InstructionSet set);
+void sum_up(std::span<const PairBlock> blocks, const JointMotion& motion, InstructionSet set,
+            PairSums<kAngles>& sums);
 
 }  // namespace tegata

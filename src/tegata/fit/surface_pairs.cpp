@@ -1,150 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The tegata authors
 // SPDX-License-Identifier: Apache-2.0
-//
-// Of a point p, about some centre, with a normal n the row s = (p x n, n) says how far a turn about
-// the centre and a shift move p along n. An angle about an axis d through the centre that carries p
-// as a whole moves it by d . (p x n). So a sum of s s^T holds all products of pose and angles of
-// the points that it is taken of, and only joints that they are next to need columns of their own.
-// The sums of a digit are gathered from its tip to the palm, as composite inertias are
-// (Featherstone, Rigid Body Dynamics Algorithms, 2008, 6.2): at each joint they are taken to its
-// centre.
 #include "tegata/fit/surface_pairs.h"
 
 #include <cmath>
 
+#include "tegata/fit/digit_sums.h"
+
 namespace tegata {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 Vector3d vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-
-// What an angle or the residual has to do with turns and shifts: sum of it times s.
-struct Wrench {
-  Vector3d turn = Vector3d::Zero(), shift = Vector3d::Zero();
-
-  // To a centre from which the old one is at c.
-  void move_by(const Vector3d& c) { turn += c.cross(shift); }
-};
-
-// Sums over the points that joints so far carry.
-struct Moments {
-  Matrix3d turn = Matrix3d::Zero(), shift = Matrix3d::Zero();  // turn by turn, shift by shift
-  Matrix3d cross = Matrix3d::Zero();                           // turn by shift
-  Wrench residual;
-  double squares = 0.0;  // of residuals
-
-  // With t the moments and n the normals, t becomes t + c x n in sums of t t^T, t n^T and n n^T.
-  void move_by(const Vector3d& c) {
-    const Matrix3d before = cross;
-    for (int i = 0; i < 3; ++i) cross.col(i) += c.cross(shift.col(i));
-    for (int i = 0; i < 3; ++i) {
-      const Vector3d from_before = c.cross(before.row(i)), from_after = c.cross(cross.row(i));
-      turn.col(i) += from_before;
-      turn.row(i) += from_after;
-    }
-    residual.move_by(c);
-  }
-
-  template <std::size_t kAngles>
-  void add(const PairSums<kAngles>& sums) {
-    const double* s = sums.data();
-    Matrix3d t, n, c;
-    t << s[0], s[1], s[3], s[1], s[2], s[4], s[3], s[4], s[5];
-    n << s[9], s[13], s[18], s[13], s[14], s[19], s[18], s[19], s[20];
-    c << s[6], s[10], s[15], s[7], s[11], s[16], s[8], s[12], s[17];
-    turn += t;
-    shift += n;
-    cross += c;
-    residual.turn += Vector3d(s[21], s[22], s[23]);
-    residual.shift += Vector3d(s[24], s[25], s[26]);
-    squares += s[27];
-  }
-
-  // What the pose has of them. Returns half the sum of the squared residuals.
-  double add_to(FrameEquations& equations) const {
-    equations.hessian.block<3, 3>(0, 0) += turn;
-    equations.hessian.block<3, 3>(3, 0) += cross.transpose();
-    equations.hessian.block<3, 3>(3, 3) += shift;
-    equations.gradient.segment<3>(0) += residual.turn;
-    equations.gradient.segment<3>(3) += residual.shift;
-    return 0.5 * squares;
-  }
-};
-
-// Of the joint's own angles in PairSums: products with turn, shift and residual, with the one
-// before and with itself.
-constexpr std::array<std::size_t, 2> kOwnProducts = {28, 36};
-
-// Normal equations of a digit's pairs, gathered from its tip to the palm.
-class DigitSum {
- public:
-  explicit DigitSum(const SkinMotion::Digit& motion)
-      : motion_(motion), center_(vector_of(motion.axes.back().center)) {}
-
-  // Goes on to the next joint: its angles turn what is carried so far as a whole, and the pairs
-  // next to it as its own columns say.
-  template <std::size_t kAngles>
-  void add_joint(std::size_t joint, const PairSums<kAngles>& sums) {
-    const std::size_t first = joint + 1 - kAngles;
-    move_to(vector_of(motion_.axes[joint].center));
-    for (std::size_t i = 0; i < kAngles; ++i) {
-      const std::size_t angle = first + i;
-      const Vector3d direction = vector_of(motion_.axes[angle].direction);
-      const double* own = sums.data() + kOwnProducts[i];
-      angles_[angle].turn = carried_.turn * direction + Vector3d(own[0], own[1], own[2]);
-      angles_[angle].shift =
-          carried_.cross.transpose() * direction + Vector3d(own[3], own[4], own[5]);
-      gradient_[at(angle)] = direction.dot(carried_.residual.turn) + own[6];
-    }
-    for (std::size_t i = 0; i < kAngles; ++i) {
-      const std::size_t angle = first + i;
-      const Vector3d direction = vector_of(motion_.axes[angle].direction);
-      for (std::size_t k = 0; k <= i; ++k) {
-        const Vector3d other = vector_of(motion_.axes[first + k].direction);
-        hessian_(at(angle), at(first + k)) =
-            direction.dot(carried_.turn * other) + sums[kOwnProducts[i] + 7 + k];
-      }
-      for (std::size_t outer = joint + 1; outer < kAnglesPerDigit; ++outer) {
-        hessian_(at(outer), at(angle)) = direction.dot(angles_[outer].turn);
-      }
-    }
-    carried_.add<kAngles>(sums);
-  }
-
-  // Adds all of it, about the hand's origin. Returns half the sum of the squared residuals.
-  double add_to(std::size_t digit, FrameEquations& equations) {
-    constexpr int kA = kAnglesPerDigit;
-    move_to(Vector3d::Zero());
-    const int first = kPoseParameterCount + kA * static_cast<int>(digit);
-    equations.hessian.block<kA, kA>(first, first) += hessian_;
-    equations.gradient.segment<kA>(first) += gradient_;
-    for (int angle = 0; angle < kA; ++angle) {
-      const Wrench& products = angles_[static_cast<std::size_t>(angle)];
-      equations.hessian.block<1, 3>(first + angle, 0) += products.turn.transpose();
-      equations.hessian.block<1, 3>(first + angle, 3) += products.shift.transpose();
-    }
-    return carried_.add_to(equations);
-  }
-
- private:
-  static Eigen::Index at(std::size_t angle) { return static_cast<Eigen::Index>(angle); }
-
-  void move_to(const Vector3d& center) {
-    const Vector3d to_old = center_ - center;
-    carried_.move_by(to_old);
-    for (Wrench& angle : angles_) angle.move_by(to_old);
-    center_ = center;
-  }
-
-  const SkinMotion::Digit& motion_;
-  Vector3d center_;  // that all sums are about
-  Moments carried_;  // of the pairs beyond
-  std::array<Wrench, kAnglesPerDigit> angles_ = {};
-  Eigen::Matrix4d hessian_ = Eigen::Matrix4d::Zero();  // its lower half
-  Eigen::Vector4d gradient_ = Eigen::Vector4d::Zero();
-};
 
 JointMotion::Vec single(const Vector3d& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
@@ -230,37 +97,26 @@ std::span<const PairBlock> SurfacePairs::blocks(std::size_t bone) const {
 
 double SurfacePairs::add_to(FrameEquations& equations, const SkinMotion& motion,
                             InstructionSet set) const {
-  double cost = add_palm_to(equations, motion, set);
-  for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
-    cost += add_digit_to(equations, motion, digit, set);
+  const Vector3d from_anchor = motion.origin() - anchor_;
+  double cost = 0.0;
+  if (!blocks(0).empty()) {
+    PairSums<0> palm;
+    sum_up<0>(blocks(0), {turn_of(motion.palm()), {}, {}, single(from_anchor)}, set, palm);
+    cost += add_palm_sums(palm, equations);
+  }
+  if (first_[1] < first_[kBoneCount]) {
+    std::array<DigitSums, kDigitCount> sums;
+    for (std::size_t digit = 0; digit < kDigitCount; ++digit) {
+      const SkinMotion::Digit& moved = motion.digit(digit);
+      const auto joint = [&](std::size_t i) { return joint_motion(moved, i, from_anchor); };
+      sum_up<2>(blocks(3 * digit + 1), joint(1), set, sums[digit].first);
+      sum_up<1>(blocks(3 * digit + 2), joint(2), set, sums[digit].others[0]);
+      sum_up<1>(blocks(3 * digit + 3), joint(3), set, sums[digit].others[1]);
+    }
+    cost += add_digit_sums(sums, motion, set, equations);
   }
   for (const TangledPair& tangled : tangled_) cost += add_tangled_to(equations, motion, tangled);
   return cost;
-}
-
-double SurfacePairs::add_palm_to(FrameEquations& equations, const SkinMotion& motion,
-                                 InstructionSet set) const {
-  if (blocks(0).empty()) return 0.0;
-  const Vector3d from_anchor = motion.origin() - anchor_;
-  Moments moments;
-  const JointMotion palm = {turn_of(motion.palm()), {}, {}, single(from_anchor)};
-  moments.add<0>(pair_sums<0>(blocks(0), palm, set));
-  return moments.add_to(equations);
-}
-
-double SurfacePairs::add_digit_to(FrameEquations& equations, const SkinMotion& motion,
-                                  std::size_t digit, InstructionSet set) const {
-  const std::size_t first_bone = 3 * digit + 1;
-  if (first_[first_bone] == first_[first_bone + 3]) return 0.0;
-  const SkinMotion::Digit& moved = motion.digit(digit);
-  const Vector3d from_anchor = motion.origin() - anchor_;
-  DigitSum sum(moved);
-  for (std::size_t joint = 3; joint > 1; --joint) {
-    sum.add_joint<1>(joint, pair_sums<1>(blocks(3 * digit + joint),
-                                         joint_motion(moved, joint, from_anchor), set));
-  }
-  sum.add_joint<2>(1, pair_sums<2>(blocks(first_bone), joint_motion(moved, 1, from_anchor), set));
-  return sum.add_to(digit, equations);
 }
 
 // Bone by bone, in double precision.

@@ -50,9 +50,6 @@ class SurfacePairs {
   static double add_tangled_to(FrameEquations& equations, const SkinMotion& motion,
                                const TangledPair& tangled);
   std::span<const PairBlock> blocks(std::size_t bone) const;
-  double add_palm_to(FrameEquations& equations, const SkinMotion& motion, InstructionSet set) const;
-  double add_digit_to(FrameEquations& equations, const SkinMotion& motion, std::size_t digit,
-                      InstructionSet set) const;
 
   Eigen::Vector3d anchor_ = Eigen::Vector3d::Zero();
   std::unique_ptr<PairBlock[]> blocks_;

@@ -85,6 +85,20 @@ TEST(SurfacePairs, GiveThePlainEquations) {
   }
 }
 
+TEST(SurfacePairs, GiveThePlainEquationsWhereMostJointsHaveNone) {
+  const HandModel hand = test::coarse_hand();
+  const HandPose pose = test::grasping_pose(0.2);
+  const auto all = some_pairs(hand, pose);
+  for (std::size_t first = 0; first < all.size(); first += 40) {
+    const auto few = std::span(all).subspan(first, std::min<std::size_t>(30, all.size() - first));
+    const FrameEquations plain = plain_equations(hand, pose, few);
+    const FrameEquations found = equations_of(hand, pose, few);
+    const ParameterMatrix off = (found.hessian - plain.hessian).triangularView<Eigen::Lower>();
+    EXPECT_LT(off.cwiseAbs().maxCoeff(), 2e-6 * plain.hessian.diagonal().maxCoeff()) << first;
+    EXPECT_LT((found.gradient - plain.gradient).norm(), 1e-5 * plain.gradient.norm()) << first;
+  }
+}
+
 TEST(SurfacePairs, EveryInstructionSetGivesTheSameBits) {
   const HandModel hand = tangled_hand();
   const HandPose pose = test::grasping_pose(0.2);
