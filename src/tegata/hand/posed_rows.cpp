@@ -217,7 +217,7 @@ PosedRows::PosedRows(std::shared_ptr<const SkinRows> rows, const HandModel& mode
           std::make_unique_for_overwrite<AngleColumns[]>(rows_->parts()[kDigitCount - 1].last)) {}
 
 void PosedRows::move_to(const HandPose& pose, InstructionSet set) {
-  motion_.move_to(pose);
+  motion_.move_to(pose, set);
   constexpr std::array<Run*, 3> kRuns = {run_baseline, run_avx2, run_avx512};
   Run* const run_best = kRuns[static_cast<std::size_t>(set)];
   const Task task{rows_.get(), &motion_, points_.get(), columns_.get()};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "tegata/base/instruction_set.h"
 #include "tegata/hand/hand_model.h"
 
 namespace tegata {
@@ -16,7 +17,8 @@ class SkinMotion {
   /// Has no motion before move_to().
   explicit SkinMotion(const HandModel& model);
 
-  void move_to(const HandPose& pose);
+  /// Every instruction set gives the same bits; it must be supported.
+  void move_to(const HandPose& pose, InstructionSet set = best_instruction_set());
 
   /// A bone's matrix, from the rest surface to the axes above.
   struct Bone {
@@ -38,9 +40,24 @@ class SkinMotion {
   /// The hand's origin, in world coordinates [m].
   const Eigen::Vector3d& origin() const { return origin_; }
 
+  /// Numbers of the digits side by side, with room for a whole vector; the last digit's again
+  /// there.
+  using Lanes = std::array<double, 8>;
+  using LaneVec = std::array<Lanes, 3>;
+  /// What is known of the digits' joints and bones outwards at zero angles, in the hand's frame.
+  struct alignas(64) Joints {
+    std::array<LaneVec, 3> centers;
+    std::array<LaneVec, 4> axes;  ///< of the angles
+    struct Bone {
+      std::array<LaneVec, 3> turn;  ///< rows, from the rest surface
+      LaneVec shift;
+    };
+    std::array<Bone, 3> bones;
+  };
+
  private:
-  Skeleton skeleton_;
-  std::array<Bone, kBoneCount> zero_from_rest_;
+  Joints joints_;
+  Bone palm_from_rest_;
   std::array<Digit, kDigitCount> digits_ = {};
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
 };
