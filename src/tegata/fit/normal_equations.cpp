@@ -48,9 +48,12 @@ ArrowStep step_of(const ArrowSystem::SharedVector& shared) {
 SharedColumns damped_columns(const ArrowSystem::SharedMatrix& hessian,
                              const ArrowSystem::SharedVector& gradient, double damping) {
   SharedColumns columns(gradient.size() + 1);
+  const Eigen::Index shape_count = gradient.size() - kAngleCount;
   for (Eigen::Index j = 0; j < gradient.size(); ++j) {
-    columns.column(j).head(gradient.size()) = hessian.col(j);
-    columns.column(j)[gradient.size()] = gradient[j];
+    auto to = columns.column(j);
+    to.head<kAngleCount>() = hessian.col(j).head<kAngleCount>();
+    if (shape_count > 0) to.segment(kAngleCount, shape_count) = hessian.col(j).tail(shape_count);
+    to[gradient.size()] = gradient[j];
   }
   columns.damp(gradient.size(), damping);
   return columns;
@@ -103,8 +106,12 @@ ArrowSystem::ArrowSystem(std::span<const FrameEquations> frames, const FrameEqua
     : frames_(frames) {
   const Eigen::Index shape_count = frames.empty() ? 0 : frames.front().shape_gradient.size();
   const Eigen::Index count = kAngleCount + shape_count;
-  shared_hessian_ = SharedMatrix::Zero(count, count);
-  shared_gradient_ = SharedVector::Zero(count);
+  shared_hessian_.resize(count, count);
+  shared_gradient_.resize(count);
+  if (shape_count > 0) {
+    shared_hessian_.setZero();
+    shared_gradient_.setZero();
+  }
   shared_hessian_.topLeftCorner<kAngleCount, kAngleCount>() =
       prior.hessian.bottomRightCorner<kAngleCount, kAngleCount>();
   shared_gradient_.head<kAngleCount>() = prior.gradient.tail<kAngleCount>();
