@@ -111,6 +111,9 @@ void check_shape(const HandShape& shape) {
   check_size("finger_thickness", shape.finger_thickness, 0.5, 1.5);
   check_size("forearm_length", shape.forearm_length, 0.02, 0.3);
   check_size("palm_length", shape.palm_length, 0.6, 1.5);
+  for (const double factor : shape.metacarpal_lengths) {
+    check_size("metacarpal_lengths", factor, 0.6, 1.5);
+  }
   for (const double thickness : shape.digit_thickness) {
     check_size("digit_thickness", thickness, 0.5, 1.5);
   }
@@ -152,7 +155,9 @@ Skeleton right_skeleton(const HandShape& shape) {
     const auto d = static_cast<std::size_t>(digit);
     const DigitProportions& part = kDigits[d];
     const NeutralDigit neutral = neutral_digit(d);
-    Eigen::Vector3d joint(-part.across * breadth, part.along * length, -part.palmwards * breadth);
+    const double metacarpal = digit == 0 ? 1.0 : shape.metacarpal_lengths[d - 1];
+    Eigen::Vector3d joint(-part.across * breadth, part.along * length * metacarpal,
+                          -part.palmwards * breadth);
     for (int i = 0; i < 4; ++i) {
       const auto within = static_cast<std::size_t>(i);
       skeleton.keypoints[1 + 4 * d + within] = joint;

@@ -22,6 +22,8 @@ struct HandShape {
   double finger_thickness = 1.0;   ///< factor on all digits' radii
   double forearm_length = 0.05;    ///< of the stump beyond the wrist [m]
   double palm_length = 1.0;        ///< factor on the wrist's distance to the digits' first joints
+  /// Factors on the wrist's distance to the knuckles of the fingers, from index to little.
+  std::array<double, kDigitCount - 1> metacarpal_lengths = {1.0, 1.0, 1.0, 1.0};
   std::array<double, kDigitCount> digit_thickness = {1.0, 1.0, 1.0, 1.0, 1.0};  ///< factors
   /// Factors on the bones' lengths, in the order of bone_names() after the palm.
   std::array<double, kBoneCount - 1> bone_lengths = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
@@ -33,8 +35,8 @@ struct HandShape {
 };
 
 /// Throws Error naming a size that is not that of a human hand: smaller than half or larger than
-/// one and a half times the default (the forearm: 0.02 m to 0.3 m; palm_length and bone_lengths:
-/// 0.6 to 1.5).
+/// one and a half times the default (the forearm: 0.02 m to 0.3 m; palm_length,
+/// metacarpal_lengths and bone_lengths: 0.6 to 1.5).
 void check_shape(const HandShape& shape);
 
 /// The length of a bone other than the palm, between joints or to the tip [m].

@@ -9,15 +9,16 @@ namespace {
 
 // Where parameters begin.
 constexpr int kLength = 0, kPalmBreadth = 1, kPalmThickness = 2, kPalmLength = 3,
-              kFingerThickness = 4, kDigitThickness = 5, kBoneLengths = 10;
+              kFingerThickness = 4, kDigitThickness = 5, kBoneLengths = 10,
+              kMetacarpalLengths = kBoneLengths + kBoneCount - 1;
 constexpr int kBoneDrivers = 0;
 
 // Standard deviations. Length: women and men of Gordon et al. 1989 (180.5 and 193.8 mm, 9.7 and 9.8
 // within each sex) as one population. The others are of ratios. Palm breadth: the same survey's
 // breadths (79.4 and 90.4 mm, 3.8 and 4.2) against length, with their correlation taken as 0.6.
 // Palm thickness, palm length and finger thickness: from Pheasant 1986 (28 and 33 mm, 2; 97 and 107
-// mm, 5 and 6; index finger 18 and 21 mm, 1), rounded up. Single digits and bones: what Buchholz et
-// al. 1992 leave unexplained by the length of the hand, rounded.
+// mm, 5 and 6; index finger 18 and 21 mm, 1), rounded up. Single digits, bones and knuckles: what
+// Buchholz et al. 1992 leave unexplained by the length of the hand, rounded.
 constexpr double kLengthDeviation = 0.012;
 constexpr double kBreadthDeviation = 0.045;
 constexpr double kThicknessDeviation = 0.08;
@@ -26,7 +27,11 @@ constexpr double kFingerThicknessDeviation = 0.06;
 constexpr double kDigitDeviation = 0.04;
 constexpr double kBoneDeviation = 0.05;
 constexpr double kOuterBoneDeviation = 0.07;  // of the thumb and of distal phalanges
-constexpr double kWidestDeviation = 4.0;      // in deviations, of the limits
+constexpr double kMetacarpalDeviation = 0.03;
+// Of the limits, in deviations: proportions may lie where no adult's do (proportion_prior.h), sizes
+// would leave what check_shape() lets pass.
+constexpr double kWidestSize = 4.0, kWidestProportion = 8.0;
+constexpr double kLeastFactor = 0.6, kMostFactor = 1.5;
 
 double relative_length(const ShapeParameters& parameters) {
   return parameters[kLength] / HandShape().length;
@@ -42,6 +47,10 @@ const std::array<std::string, kShapeParameterCount>& shape_parameter_names() {
         "ring_thickness",   "little_thickness"};
     for (std::size_t bone = 1; bone < kBoneCount; ++bone) {
       made[kBoneLengths + bone - 1] = text(bone_names()[bone], "_length");
+    }
+    std::size_t next = kMetacarpalLengths;
+    for (const char* finger : {"index", "middle", "ring", "little"}) {
+      made[next++] = text(finger, "_metacarpal_length");
     }
     return made;
   }();
@@ -62,8 +71,11 @@ const ShapePrior& shape_prior() {
       const bool is_outer = bone <= 3 || bone % 3 == 0;
       made.deviation[kBoneLengths + bone - 1] = is_outer ? kOuterBoneDeviation : kBoneDeviation;
     }
-    made.lower = made.mean - kWidestDeviation * made.deviation;
-    made.upper = made.mean + kWidestDeviation * made.deviation;
+    made.deviation.segment<kDigitCount - 1>(kMetacarpalLengths).setConstant(kMetacarpalDeviation);
+    ShapeParameters widest = kWidestProportion * made.deviation;
+    widest.head<kPalmLength>() = kWidestSize * made.deviation.head<kPalmLength>();
+    made.lower = (made.mean - widest).cwiseMax(kLeastFactor * made.mean);
+    made.upper = (made.mean + widest).cwiseMin(kMostFactor * made.mean);
     return made;
   }();
   return prior;
@@ -84,6 +96,9 @@ HandShape shape_from_parameters(const ShapeParameters& parameters) {
   for (std::size_t bone = 0; bone < shape.bone_lengths.size(); ++bone) {
     shape.bone_lengths[bone] = parameters[kBoneLengths + static_cast<int>(bone)];
   }
+  for (std::size_t finger = 0; finger < shape.metacarpal_lengths.size(); ++finger) {
+    shape.metacarpal_lengths[finger] = parameters[kMetacarpalLengths + static_cast<int>(finger)];
+  }
   return shape;
 }
 
@@ -101,6 +116,9 @@ ShapeParameters parameters_of_shape(const HandShape& shape) {
   }
   for (std::size_t bone = 0; bone < shape.bone_lengths.size(); ++bone) {
     parameters[kBoneLengths + static_cast<int>(bone)] = shape.bone_lengths[bone];
+  }
+  for (std::size_t finger = 0; finger < shape.metacarpal_lengths.size(); ++finger) {
+    parameters[kMetacarpalLengths + static_cast<int>(finger)] = shape.metacarpal_lengths[finger];
   }
   return parameters;
 }
@@ -120,6 +138,10 @@ ShapeDrivers drivers_of_shape(const HandShape& shape) {
   drivers[kPalmDrivers + 1] = shape.palm_length * shape.length / mean.length;
   drivers[kPalmDrivers + 2] = shape.palm_thickness / mean.palm_thickness;
   drivers[kForearmDriver] = shape.forearm_length / mean.forearm_length;
+  for (std::size_t finger = 0; finger < shape.metacarpal_lengths.size(); ++finger) {
+    drivers[kKnuckleDrivers + static_cast<int>(finger)] =
+        drivers[kPalmDrivers + 1] * shape.metacarpal_lengths[finger];
+  }
   return drivers;
 }
 
@@ -142,6 +164,10 @@ Eigen::Matrix<double, kShapeDriverCount, kShapeParameterCount> driver_jacobian(
   add(kPalmDrivers, kPalmBreadth);
   add(kPalmDrivers + 1, kPalmLength);
   add(kPalmDrivers + 2, kPalmThickness);
+  for (int finger = 0; finger < kDigitCount - 1; ++finger) {
+    add(kKnuckleDrivers + finger, kPalmLength);
+    add(kKnuckleDrivers + finger, kMetacarpalLengths + finger);
+  }
   return jacobian;
 }
 

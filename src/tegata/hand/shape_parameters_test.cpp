@@ -27,7 +27,9 @@ TEST(ShapeParameters, NamesAreAllDifferent) {
   EXPECT_EQ(names[0], "length");
   EXPECT_EQ(names[9], "little_thickness");
   EXPECT_EQ(names[10], "thumb_metacarpal_length");
-  EXPECT_EQ(names[kShapeParameterCount - 1], "little_distal_length");
+  EXPECT_EQ(names[24], "little_distal_length");
+  EXPECT_EQ(names[25], "index_metacarpal_length");
+  EXPECT_EQ(names[kShapeParameterCount - 1], "little_metacarpal_length");
 }
 
 TEST(ShapeParameters, ShapeAndParametersAreInverse) {

@@ -53,10 +53,10 @@ HandModel mean_hand(const BuiltInHandOptions& options) {
 }
 
 /// A joint in the palm: with the palm, but for the arch, which goes with the breadth.
-DriverJacobian palm_joint_jacobian(const Eigen::Vector3d& joint) {
+DriverJacobian palm_joint_jacobian(int digit, const Eigen::Vector3d& joint) {
   DriverJacobian jacobian = DriverJacobian::Zero();
   jacobian(0, kPalmDrivers) = joint.x();
-  jacobian(1, kPalmDrivers + 1) = joint.y();
+  jacobian(1, digit == 0 ? kPalmDrivers + 1 : kKnuckleDrivers + digit - 1) = joint.y();
   jacobian(2, kPalmDrivers) = joint.z();
   return jacobian;
 }
@@ -76,7 +76,7 @@ class DrivenSkeleton {
       : points_(posed_keypoints(skeleton, HandPose{{}, angles})) {
     keypoints_[0].setZero();
     for (int digit = 0; digit < kDigitCount; ++digit) {
-      keypoints_[index(1 + 4 * digit)] = palm_joint_jacobian(points_[index(1 + 4 * digit)]);
+      keypoints_[index(1 + 4 * digit)] = palm_joint_jacobian(digit, points_[index(1 + 4 * digit)]);
     }
     for (int bone = 1; bone < kBoneCount; ++bone) {
       const auto near = index(proximal_keypoint(bone)), far = near + 1;

@@ -132,6 +132,36 @@ TEST(ShapedHand, ADigitsSizesMoveNoOther) {
   EXPECT_GT(farthest, 0.15 * bone_length(HandShape(), 8));
 }
 
+// Where a flat finger bends does not show: only with what bends may the surface change.
+TEST(ShapedHand, AKnuckleFartherOutLeavesTheRestOfAFlatHandWhereItIs) {
+  HandShape shape;
+  shape.metacarpal_lengths[1] = 1.1;
+  const double farther = 0.1 * right_skeleton(HandShape()).keypoints[9].y();
+  shape.bone_lengths[6] -= farther / bone_length(HandShape(), 7);
+  const HandModel before = coarse(Side::right).model(HandShape());
+  const HandModel after = coarse(Side::right).model(shape);
+  const HandPose flat{{}, JointAngles::Zero()};
+  const PosedHand one(before, flat), other(after, flat);
+  for (std::size_t k = 0; k < kKeypointCount; ++k) {
+    const double moved = (other.keypoints()[k] - one.keypoints()[k]).norm();
+    EXPECT_NEAR(moved, k == 9 ? farther : 0.0, 1e-9);
+  }
+  double farthest = 0.0, across = 0.0;
+  for (std::size_t i = 0; i < before.links.size(); ++i) {
+    const Eigen::Vector3d moved = other.vertices()[i] - one.vertices()[i];
+    farthest = std::max(farthest, moved.norm());
+    across = std::max(across, moved.cwiseAbs().dot(Eigen::Vector3d(1.0, 0.0, 1.0)));
+    for (std::size_t link = 0; link < 4; ++link) {
+      const bool is_outer = before.links[i].bones[link] == 8 || before.links[i].bones[link] == 9;
+      if (is_outer && before.links[i].weights[link] == 1.0) {
+        EXPECT_LT(moved.norm(), 1e-9);
+      }
+    }
+  }
+  EXPECT_GT(farthest, 0.5 * farther);
+  EXPECT_LT(across, 0.15 * farther);  // where palm and finger run together
+}
+
 TEST(ShapedHand, HandsOfAllPeopleKeepTheirSurfaceRightSideOut) {
   for (const HandShape& shape :
        {HandShape::percentile(1, Sex::female), HandShape::percentile(99, Sex::male),
@@ -144,7 +174,7 @@ TEST(ShapedHand, HandsOfAllPeopleKeepTheirSurfaceRightSideOut) {
     for (std::size_t i = 0; i < surface.normals.size(); ++i) {
       turned += surface.normals[i].dot(mean.rest_surface.normals[i]) < 0.7 ? 1U : 0U;
     }
-    EXPECT_LT(turned, surface.normals.size() / 200);
+    EXPECT_LT(turned, surface.normals.size() / 150);
   }
 }
 
