@@ -8,6 +8,7 @@
 
 #include "tegata/base/error.h"
 #include "tegata/base/parallel.h"
+#include "tegata/fit/proportion_prior.h"
 #include "tegata/fit/shape_system.h"
 #include "tegata/fit/surroundings.h"
 #include "tegata/hand/scaled_hand.h"
@@ -18,13 +19,21 @@ namespace {
 // Residuals are not independent of each other, from point to point and from frame to frame: the
 // pictures' precision is divided by the square of this before it meets the prior's.
 constexpr double kDeviationScale = 4.0;
+// Of all proportions together (heavy_tailed_prior()): hands of children, of games and of animation
+// are not of adults' proportions, and what holds an adult's regular would bend theirs.
+constexpr double kProportionTail = 10.0;
 // Largest change of the shape that is none, in the prior's deviations.
 constexpr double kShapeTolerance = 2e-3;
 
 /// What is known of shape parameters before any picture.
 struct Prior {
   Eigen::VectorXd mean, deviation, lower, upper;
+  PriorCost (*cost)(const Eigen::VectorXd& off, const Eigen::VectorXd& deviation) = normal_prior;
 };
+
+PriorCost proportion_cost(const Eigen::VectorXd& off, const Eigen::VectorXd& deviation) {
+  return heavy_tailed_prior(off, deviation, kProportionTail);
+}
 
 /// The hand at a value of the shape that is sought.
 class TrialHand {
@@ -58,7 +67,8 @@ class SoughtScale : public SoughtShape {
  public:
   SoughtScale(const HandModel& hand, double deviation)
       : SoughtShape({Eigen::VectorXd::Constant(1, 1.0), Eigen::VectorXd::Constant(1, deviation),
-                     Eigen::VectorXd::Constant(1, 0.6), Eigen::VectorXd::Constant(1, 1.6)}),
+                     Eigen::VectorXd::Constant(1, 0.6), Eigen::VectorXd::Constant(1, 1.6),
+                     normal_prior}),
         hand_(&hand) {}
 
   std::unique_ptr<TrialHand> at(const Eigen::VectorXd& shape) const override {
@@ -83,7 +93,7 @@ class SoughtParameters : public SoughtShape {
  public:
   explicit SoughtParameters(const ShapedHand& hand)
       : SoughtShape({shape_prior().mean, shape_prior().deviation, shape_prior().lower,
-                     shape_prior().upper}),
+                     shape_prior().upper, proportion_cost}),
         hand_(&hand) {}
 
   std::unique_ptr<TrialHand> at(const Eigen::VectorXd& shape) const override {
@@ -195,10 +205,11 @@ class Problem {
  private:
   void add_shape_prior(const Eigen::VectorXd& shape, Linearisation& result) const {
     const Prior& prior = sought_->prior();
-    const Eigen::VectorXd off = shape - prior.mean;
-    result.prior_precision = (kDeviationScale * prior.deviation.cwiseInverse()).cwiseAbs2();
-    result.prior_gradient = result.prior_precision.cwiseProduct(off);
-    result.prior_cost = 0.5 * off.dot(result.prior_gradient);
+    const PriorCost cost = prior.cost(shape - prior.mean, prior.deviation);
+    constexpr double kScale = kDeviationScale * kDeviationScale;
+    result.prior_precision = kScale * cost.precision;
+    result.prior_gradient = kScale * cost.gradient;
+    result.prior_cost = kScale * cost.cost;
   }
 
   const SoughtShape* sought_;
