@@ -18,6 +18,7 @@ constexpr double kBegin = 0.015, kEnd = 0.35;
 constexpr double kNear = 0.12, kWidest = 0.08;
 constexpr double kRingDistance = 0.03;
 constexpr double kMargin = 0.004;  // by which the body is wider than what was seen
+constexpr double kBeyond = 0.3;    // so far the arm goes on behind the hull's end
 constexpr std::size_t kLeastPoints = 20;
 constexpr std::uint32_t kSectors = 16;
 // Of the points about a ring so many lie inside; the hull's corners do not.
@@ -87,6 +88,13 @@ HullPart about_its_axis(const HullPart& behind, double scale) {
   return found;
 }
 
+bool is_shown_by_all(const std::vector<FitView>& views, const Eigen::Vector3d& point) {
+  return std::all_of(views.begin(), views.end(), [&](const FitView& view) {
+    const auto pixel = project(view.camera, point);
+    return pixel && view.camera.contains(*pixel);
+  });
+}
+
 TriangleMesh body(const std::vector<AxisPoint>& rings, const Eigen::Vector3d& axis) {
   TriangleMesh mesh;
   const Eigen::Vector3d across = axis.unitOrthogonal(), third = axis.cross(across);
@@ -127,17 +135,29 @@ std::optional<Forearm> find_forearm(const FitHand& hand, const FitFrame& frame,
     return point.y() < -kBegin * hand.scale && point.norm() < kEnd * hand.scale;
   });
   if (!behind.is_seen()) return std::nullopt;
-  const HullPart forearm = about_its_axis(behind, hand.scale);
+  // What some picture does not show is bounded by fewer of them, and so wider than the arm.
+  const HullPart shown = behind.among([&](const Eigen::Vector3d& point) {
+    return is_shown_by_all(frame.views, world_from_hand * point);
+  });
+  const HullPart forearm = about_its_axis(shown.is_seen() ? shown : behind, hand.scale);
   if (!forearm.is_seen()) return std::nullopt;
   const Eigen::Vector3d& axis = forearm.axis;
+  const HullPart all = behind.among(
+      [&](const Eigen::Vector3d& point) { return from_axis(point, axis) < kWidest * hand.scale; });
   std::vector<AxisPoint> points;
-  for (const Eigen::Vector3d& point : forearm.points) {
+  for (const Eigen::Vector3d& point : all.points) {
     points.push_back({axis.dot(point), from_axis(point, axis)});
   }
   const std::vector<AxisPoint> rings = rings_of(points, hand.scale);
   if (rings.size() < 2) return std::nullopt;
-  Forearm found{body(rings, axis), world_from_hand * (rings.back().along * axis)};
-  for (Eigen::Vector3d& vertex : found.surface.vertices) vertex = world_from_hand * vertex;
+  const AxisPoint end = rings.back();
+  const std::vector<AxisPoint> beyond = {end,
+                                         {end.along + kWidest * hand.scale, kWidest * hand.scale},
+                                         {end.along + kBeyond * hand.scale, kWidest * hand.scale}};
+  Forearm found{body(rings, axis), body(beyond, axis)};
+  for (TriangleMesh* mesh : {&found.surface, &found.beyond}) {
+    for (Eigen::Vector3d& vertex : mesh->vertices) vertex = world_from_hand * vertex;
+  }
   return found;
 }
 

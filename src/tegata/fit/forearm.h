@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 
 #include "tegata/fit/fit_frame.h"
@@ -11,10 +10,10 @@
 
 namespace tegata {
 
-/// A body of rings about a straight axis from the wrist, in world coordinates [m].
+/// Bodies of rings about a straight axis from the wrist, in world coordinates [m].
 struct Forearm {
   TriangleMesh surface;
-  Eigen::Vector3d end;  ///< of the axis, where the hull ends
+  TriangleMesh beyond;  ///< where the arm goes on, behind the hull's end
 };
 
 /// Where the forearm is when the hand is in a pose: what of the frame's hull lies behind the wrist.

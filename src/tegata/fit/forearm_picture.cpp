@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kBesideHand = 0.012;  // of a hand of scale 1 [m]
 
-bool ends_within(const Forearm& forearm, const Camera& camera) {
-  const auto end = project(camera, forearm.end);
-  return end && camera.contains(*end);
-}
-
 // How far each pixel lies outside the posed hand and what the hull has before the wrist [px];
 // negative within.
 Image<float> outside_hand(const PosedHand& posed, const HullTarget& hull, const Camera& camera) {
@@ -38,12 +33,15 @@ Image<float> outside_hand(const PosedHand& posed, const HullTarget& hull, const 
 Silhouette forearm_picture(const FitHand& hand, const PosedHand& posed, const FitFrame& frame,
                            const Camera& camera, const Forearm& forearm) {
   Silhouette arm = render_silhouette(forearm.surface, camera);
-  if (!frame.hull || !ends_within(forearm, camera)) return arm;
+  const Silhouette beyond = render_silhouette(forearm.beyond, camera);
+  if (!frame.hull || count_pixels(beyond, PixelLabel::hand) == 0) return arm;
   const double depth = (camera.camera_from_world * posed.keypoints()[kMiddleMcp]).z();
   const double beside_px = kBesideHand * hand.scale * camera.fx / depth;
   const Image<float> outside_px = outside_hand(posed, *frame.hull, camera);
   for (std::size_t i = 0; i < arm.values().size(); ++i) {
-    if (outside_px.values()[i] > beside_px) arm.values()[i] = PixelLabel::hand;
+    if (beyond.values()[i] == PixelLabel::hand && outside_px.values()[i] > beside_px) {
+      arm.values()[i] = PixelLabel::hand;
+    }
   }
   return arm;
 }

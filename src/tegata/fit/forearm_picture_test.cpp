@@ -9,25 +9,28 @@
 namespace tegata {
 namespace {
 
-// From 15 mm behind the wrist so far back.
-Forearm arm_of_length(const HandPose& pose, double length) {
+TriangleMesh tube(const HandPose& pose, double from, double to, double radius) {
   constexpr std::uint32_t kSectors = 16;
-  Forearm arm;
-  for (const double along : {0.015, length}) {
+  TriangleMesh mesh;
+  for (const double along : {from, to}) {
     for (std::uint32_t i = 0; i < kSectors; ++i) {
       const double turn = 2.0 * std::numbers::pi * i / kSectors;
-      arm.surface.vertices.push_back(
-          pose.world_from_hand *
-          Eigen::Vector3d(0.025 * std::cos(turn), -along, 0.025 * std::sin(turn)));
+      mesh.vertices.push_back(pose.world_from_hand * Eigen::Vector3d(radius * std::cos(turn),
+                                                                     -along,
+                                                                     radius * std::sin(turn)));
     }
   }
   for (std::uint32_t i = 0; i < kSectors; ++i) {
     const std::uint32_t next = (i + 1) % kSectors;
-    arm.surface.triangles.push_back({i, next, i + kSectors});
-    arm.surface.triangles.push_back({next, next + kSectors, i + kSectors});
+    mesh.triangles.push_back({i, next, i + kSectors});
+    mesh.triangles.push_back({next, next + kSectors, i + kSectors});
   }
-  arm.end = pose.world_from_hand * Eigen::Vector3d(0.0, -length, 0.0);
-  return arm;
+  return mesh;
+}
+
+// From 15 mm behind the wrist so far back; beyond that it is somewhere about there.
+Forearm arm_of_length(const HandPose& pose, double length) {
+  return {tube(pose, 0.015, length, 0.025), tube(pose, length, length + 0.3, 0.06)};
 }
 
 // A hand of which the hull has a finger elsewhere, with 13 cm of its arm in the picture.
@@ -92,21 +95,30 @@ TEST(ForearmPicture, AnArmThatLeavesThePictureIsTheForearmAlone) {
 }
 
 TEST(ForearmPicture, WhatIsBesideTheHandStaysTheHands) {
+  // The arm goes on across all of the picture.
   const ArmScene scene;
-  const Silhouette arm = scene.seen_with(0.06);
+  Forearm forearm = arm_of_length(scene.pose, 0.06);
+  const Eigen::Vector3d wrist = scene.posed.keypoints()[kWrist];
+  forearm.beyond.vertices = {wrist + Eigen::Vector3d(-1.0, -1.0, 0.0),
+                             wrist + Eigen::Vector3d(3.0, -1.0, 0.0),
+                             wrist + Eigen::Vector3d(-1.0, 3.0, 0.0)};
+  forearm.beyond.triangles = {{0, 1, 2}};
+  const Silhouette arm =
+      forearm_picture(scene.hand, scene.posed, scene.frame, scene.camera(), forearm);
   const Silhouette hand = render_silhouette(scene.posed.surface(), scene.camera());
-  const Silhouette forearm =
-      render_silhouette(arm_of_length(scene.pose, 0.06).surface, scene.camera());
+  const Silhouette forearm_alone = render_silhouette(forearm.surface, scene.camera());
   int beside = 0;
   for (int y = 0; y < hand.height(); ++y) {
     for (int x = 6; x < hand.width() - 6; ++x) {
       const bool is_near = hand(x - 6, y) == PixelLabel::hand || hand(x + 6, y) == PixelLabel::hand;
-      if (!is_near || forearm(x, y) == PixelLabel::hand) continue;
+      if (!is_near || forearm_alone(x, y) == PixelLabel::hand) continue;
       ++beside;
       EXPECT_EQ(arm(x, y), PixelLabel::background) << x << ' ' << y;
     }
   }
   EXPECT_GT(beside, 1000);
+  EXPECT_EQ(arm(2, 2), PixelLabel::hand) << "far from the hand";
+  EXPECT_FALSE(scene.shows(arm, scene.finger)) << "what the hull has before the wrist";
 }
 
 }  // namespace

@@ -64,6 +64,40 @@ TEST(Forearm, PiecesInEmptySpaceAreNoneOfIt) {
   }
 }
 
+// Where a picture ends fewer cameras bound the hull, and it is wider on one side.
+TEST(Forearm, WhatAPictureDoesNotShowDoesNotTurnItsAxis) {
+  const FitHand hand(test::coarse_hand());
+  const Rigid3d pose = test::grasping_pose(0.3).world_from_hand;
+  const Eigen::Vector3d axis = Eigen::Vector3d(0.3, -1.0, 0.4).normalized();
+  TriangleMesh hull = arm_hull(pose, axis, 0.03);
+  Camera camera = test::orthogonal_rig(0.8).front();
+  camera.height = 1000;  // the arm goes towards its upper edge
+  const auto edge = project(camera, pose * (0.12 * axis));
+  ASSERT_TRUE(edge);
+  camera.cy -= edge->y();
+  const Eigen::Vector3d aside(0.05, 0.0, 0.0);
+  for (std::size_t i = hull.vertices.size(); i-- > 0;) {
+    if (axis.dot(pose.inverse() * hull.vertices[i]) < 0.16) continue;
+    for (int copy = 1; copy <= 6; ++copy) {
+      hull.vertices.push_back(hull.vertices[i] + copy / 6.0 * aside);
+      hull.normals.push_back(hull.normals[i]);
+    }
+  }
+  FitFrame frame = frame_of(hull);
+  const auto off_axis = [&] {
+    const auto forearm = find_forearm(hand, frame, pose);
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& vertex : forearm->beyond.vertices) mean += vertex;
+    const Eigen::Vector3d towards =
+        pose.inverse() * (mean / static_cast<double>(forearm->beyond.vertices.size()));
+    return std::acos(axis.dot(towards.normalized()));
+  };
+  const double by_all = off_axis();
+  frame.views.push_back(
+      make_fit_view(camera, Silhouette(camera.width, camera.height, PixelLabel::background)));
+  EXPECT_LT(off_axis(), 0.5 * by_all) << by_all;
+}
+
 TEST(Forearm, WhereTheHullEndsAtTheWristThereIsNone) {
   const FitHand hand(test::coarse_hand());
   const HandPose pose = test::grasping_pose(0.3);
