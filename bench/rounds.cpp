@@ -11,14 +11,13 @@ namespace tegata::bench {
 namespace {
 
 constexpr int kRounds = 15;
-constexpr int kRoundsOfSlowOnes = 3;
 constexpr double kSlow = 0.5;           // [s]
 constexpr double kSecondsATurn = 0.03;  // that a contestant is called for, or once
 constexpr int kMostCallsATurn = 50;
 
-double cpu_seconds() {
+double seconds_by(Clock clock) {
   timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  clock_gettime(clock == Clock::processor ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -39,22 +38,23 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-std::vector<Timing> run_rounds(const std::vector<Contestant>& contestants) {
+std::vector<Timing> run_rounds(const std::vector<Contestant>& contestants, Clock clock,
+                               int rounds_of_slow_ones) {
   const std::size_t count = contestants.size();
   std::vector<Timing> timings(count);
   std::vector<int> calls(count), rounds(count, kRounds);
   for (std::size_t i = 0; i < count; ++i) {
-    double start = cpu_seconds();
+    double start = seconds_by(clock);
     timings[i].result = call(contestants[i], 0, false);
-    if (cpu_seconds() - start > kSlow) {
-      rounds[i] = kRoundsOfSlowOnes;
+    if (seconds_by(clock) - start > kSlow) {
+      rounds[i] = rounds_of_slow_ones;
       calls[i] = 1;
       continue;
     }
-    start = cpu_seconds();
+    start = seconds_by(clock);
     call(contestants[i], timings[i].result, true);
-    calls[i] =
-        std::clamp(static_cast<int>(kSecondsATurn / (cpu_seconds() - start)), 1, kMostCallsATurn);
+    calls[i] = std::clamp(static_cast<int>(kSecondsATurn / (seconds_by(clock) - start)), 1,
+                          kMostCallsATurn);
   }
 
   std::vector<std::vector<double>> seconds(count);  // by contestant and round
@@ -62,9 +62,9 @@ std::vector<Timing> run_rounds(const std::vector<Contestant>& contestants) {
     for (std::size_t turn = 0; turn < count; ++turn) {
       const std::size_t i = (turn + static_cast<std::size_t>(round)) % count;
       if (round >= rounds[i]) continue;
-      const double start = cpu_seconds();
+      const double start = seconds_by(clock);
       for (int n = 0; n < calls[i]; ++n) call(contestants[i], timings[i].result, true);
-      seconds[i].push_back((cpu_seconds() - start) / calls[i]);
+      seconds[i].push_back((seconds_by(clock) - start) / calls[i]);
     }
   }
 

@@ -25,11 +25,14 @@ struct Timing {
 
 /// Runs the contestants in turn, round after round, so that a busy machine slows all of them. In a
 /// round each is called until it has taken a few milliseconds, and its mean time counts; each round
-/// starts with another one. The time is the process's on any core: waiting for other processes does
-/// not count, further threads that a library starts in spite of all do. Calls before the first
-/// round are not counted. Contestants of more than half a second take part in the first few rounds
-/// only. Throws Error where run() returns something else than the time before.
-std::vector<Timing> run_rounds(const std::vector<Contestant>& contestants);
+/// starts with another one. Processor time is the process's on any core: waiting for other
+/// processes does not count, further threads that a library starts in spite of all do; what several
+/// threads gain is seen by the clock alone. Calls before the first round are not counted.
+/// Contestants of more than half a second take part in the first few rounds only. Throws Error
+/// where run() returns something else than the time before.
+enum class Clock { processor, wall };
+std::vector<Timing> run_rounds(const std::vector<Contestant>& contestants,
+                               Clock clock = Clock::processor, int rounds_of_slow_ones = 3);
 
 double median(std::vector<double> values);
 

@@ -40,17 +40,16 @@ Projection projection_of(const FlatView& view, const FlatCube& cube) {
 
 }  // namespace
 
-std::size_t carve_naively(const std::vector<FlatView>& views, const FlatCube& cube,
-                          std::vector<std::uint8_t>& inside) {
+std::size_t carve_slab_naively(const std::vector<FlatView>& views, const FlatCube& cube,
+                               int first_z, int end_z, std::vector<std::uint8_t>& inside) {
   const auto side = static_cast<std::size_t>(cube.voxels);
-  inside.resize(side * side * side);
   std::vector<Projection> projections;
   for (const FlatView& view : views) projections.push_back(projection_of(view, cube));
   std::vector<std::array<float, 3>> row(projections.size());
 
   std::size_t count = 0;
-  std::uint8_t* out = inside.data();
-  for (int z = 0; z < cube.voxels; ++z) {
+  std::uint8_t* out = inside.data() + static_cast<std::size_t>(first_z) * side * side;
+  for (int z = first_z; z < end_z; ++z) {
     for (int y = 0; y < cube.voxels; ++y) {
       for (std::size_t v = 0; v < row.size(); ++v) {
         const Projection& p = projections[v];
@@ -83,6 +82,13 @@ std::size_t carve_naively(const std::vector<FlatView>& views, const FlatCube& cu
     }
   }
   return count;
+}
+
+std::size_t carve_naively(const std::vector<FlatView>& views, const FlatCube& cube,
+                          std::vector<std::uint8_t>& inside) {
+  const auto side = static_cast<std::size_t>(cube.voxels);
+  inside.resize(side * side * side);
+  return carve_slab_naively(views, cube, 0, cube.voxels, inside);
 }
 
 }  // namespace tegata::bench

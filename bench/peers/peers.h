@@ -21,6 +21,8 @@ using Work = std::function<std::size_t()>;
 /// To be called before anything else; OpenVDB's hold lasts as long as what is returned.
 std::shared_ptr<void> hold_openvdb_to_one_thread();
 void hold_vtk_to_one_thread();
+/// More than one: by oneTBB, as ours.
+void give_vtk_threads(int threads);
 void hold_open3d_to_one_thread();
 
 std::string vtk_version();
@@ -50,6 +52,10 @@ struct FlatCube {
 /// Out of the picture is background. Writes 1 or 0 for every voxel, x fastest; returns how many 1.
 std::size_t carve_naively(const std::vector<FlatView>& views, const FlatCube& cube,
                           std::vector<std::uint8_t>& inside);
+/// The same of the layers from `first_z` up to but not including `end_z`, for threads that share
+/// the cube; `inside` has its size already.
+std::size_t carve_slab_naively(const std::vector<FlatView>& views, const FlatCube& cube,
+                               int first_z, int end_z, std::vector<std::uint8_t>& inside);
 
 /// VoxelGrid::CreateDense and CarveSilhouette of each view. A voxel stays if any corner is inside.
 Work open3d_carve(const std::vector<FlatView>& views, const FlatCube& cube);

@@ -113,6 +113,12 @@ void hold_vtk_to_one_thread() {
   vtkSMPTools::Initialize(1);
 }
 
+void give_vtk_threads(int threads) {
+  if (threads == 1) return hold_vtk_to_one_thread();
+  vtkSMPTools::SetBackend("TBB");
+  vtkSMPTools::Initialize(threads);
+}
+
 Work vtk_flying_edges(std::shared_ptr<FlatField> field, bool normals) {
   return isosurface<vtkFlyingEdges3D>(std::move(field), normals);
 }
