@@ -33,6 +33,8 @@ FitHand::FitHand(const HandModel& hand)
     : model(&hand),
       rows(std::make_shared<const SkinRows>(hand)),
       edges(unique_edges(hand.rest_surface)),
+      drawn(hand.rest_surface.triangles),
+      drawn_beyond_wrist({}),
       capsules(hand) {
   const auto& keypoints = hand.skeleton.keypoints;
   scale = (keypoints[kMiddleTip] - keypoints[kWrist]).norm() / kReferenceLength;
@@ -40,6 +42,12 @@ FitHand::FitHand(const HandModel& hand)
   for (const Eigen::Vector3d& vertex : hand.rest_surface.vertices) {
     beyond_wrist.push_back(vertex.y() > keypoints[kWrist].y() ? 1 : 0);
   }
+  std::vector<Triangle> beyond = hand.rest_surface.triangles;
+  std::erase_if(beyond, [&](const Triangle& triangle) {
+    return beyond_wrist[triangle[0]] == 0 && beyond_wrist[triangle[1]] == 0 &&
+           beyond_wrist[triangle[2]] == 0;
+  });
+  drawn_beyond_wrist = EdgedTriangles(beyond);
   const std::size_t step = 1 + beyond_wrist.size() / kMostSamples;
   for (std::size_t i = 0; i < beyond_wrist.size(); i += step) {
     if (beyond_wrist[i] != 0) samples.push_back(static_cast<std::uint32_t>(i));

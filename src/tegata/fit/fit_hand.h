@@ -9,6 +9,7 @@
 #include "tegata/fit/penetration_term.h"
 #include "tegata/hand/hand_model.h"
 #include "tegata/hand/skin_rows.h"
+#include "tegata/image/rasterizer.h"
 
 namespace tegata {
 
@@ -32,6 +33,8 @@ struct FitHand {
   /// options is multiplied by it, so that a scene in another unit has the same answer.
   double scale = 1.0;
   std::vector<SurfaceEdge> edges;
+  /// For silhouettes: the whole surface, and without the triangles that lie on the forearm.
+  EdgedTriangles drawn, drawn_beyond_wrist;
   /// One a vertex: 1 on the finger side of the wrist, 0 on the forearm, which bends on its own and
   /// says nothing of the hand's pose.
   std::vector<std::uint8_t> beyond_wrist;

@@ -18,10 +18,10 @@ constexpr double kProbePx = 1.5;
 
 // A camera's picture of the hand, smaller than the camera's own.
 struct DrawnHand {
-  DrawnHand(const PosedHand& posed, const Camera& camera, int coarseness)
+  DrawnHand(const FitHand& hand, const PosedHand& posed, const Camera& camera, int coarseness)
       : scale(1.0 / coarseness),
-        silhouette(render_silhouette(posed.vertices(), posed.model().rest_surface.triangles,
-                                     smaller(camera, coarseness), Faces::front)) {}
+        silhouette(render_silhouette(posed.vertices(), hand.drawn, smaller(camera, coarseness),
+                                     Faces::front)) {}
 
   bool covers(const Eigen::Vector2d& pixel) const {
     const int x = static_cast<int>(std::lround(scale * (pixel.x() + 0.5) - 0.5));
@@ -56,7 +56,7 @@ std::vector<double> facing_camera(const PosedHand& posed, const Camera& camera) 
 
 std::vector<OutlinePoint> hand_outline(const FitHand& hand, const PosedHand& posed,
                                        const Camera& camera, int coarseness) {
-  const DrawnHand drawn(posed, camera, coarseness);
+  const DrawnHand drawn(hand, posed, camera, coarseness);
   const std::vector<Eigen::Vector3d>& vertices = posed.vertices();
   const std::vector<Eigen::Vector3d>& normals = posed.normals();
   const std::vector<double> facing = facing_camera(posed, camera);

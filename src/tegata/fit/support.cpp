@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "tegata/image/distance_transform.h"
 #include "tegata/image/rasterizer.h"
@@ -13,6 +15,15 @@ namespace {
 
 constexpr float kNearlyInsidePx = 2.0F;
 constexpr double kLeastUncoveredPx = 1.0;  // what is uncovered by less may be the picture's noise
+
+// So many pixels at once.
+constexpr int kAtOnce = 8;
+bool is_background(const PixelLabel* first) {
+  static_assert(PixelLabel::background == PixelLabel{0});
+  std::uint64_t labels = 0;
+  std::memcpy(&labels, first, kAtOnce);
+  return labels == 0;
+}
 
 bool is_backed(const Eigen::Vector3d& vertex, const std::vector<FitView>& views) {
   bool is_shown = false;
@@ -71,16 +82,17 @@ std::array<double, kBoneCount> bone_support(const FitHand& hand, const PosedHand
 
 double silhouette_overlap(const FitHand& hand, const PosedHand& posed, const FitView& view) {
   // Only what lies beyond the wrist is drawn: the hand model's stump must not count as hand.
-  TriangleMesh surface = posed.surface();
-  std::erase_if(surface.triangles, [&](const Triangle& triangle) {
-    return hand.beyond_wrist[triangle[0]] == 0 && hand.beyond_wrist[triangle[1]] == 0 &&
-           hand.beyond_wrist[triangle[2]] == 0;
-  });
-  const Silhouette drawn = render_silhouette(surface, view.camera);
+  const Silhouette drawn =
+      render_silhouette(posed.vertices(), hand.drawn_beyond_wrist, view.camera);
   const WristLine wrist(posed, view.camera);
   std::size_t both = 0, either = 0;
   for (int y = 0; y < drawn.height(); ++y) {
     for (int x = 0; x < drawn.width(); ++x) {
+      if (x + kAtOnce <= drawn.width() && is_background(&drawn(x, y)) &&
+          is_background(&view.silhouette(x, y))) {
+        x += kAtOnce - 1;
+        continue;
+      }
       const bool is_drawn = drawn(x, y) == PixelLabel::hand;
       const bool is_seen = view.silhouette(x, y) == PixelLabel::hand;
       if (!is_drawn && !is_seen) continue;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tegata/fit/view.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "tegata/base/error.h"
 #include "tegata/image/distance_transform.h"
+#include "tegata/image/pixel_box.h"
 
 namespace tegata {
 
@@ -37,8 +37,7 @@ FitView make_fit_view(const Camera& camera, Silhouette silhouette) {
   view.camera = camera;
   view.hand_distance = std::make_shared<const Image<float>>(
       signed_distance(silhouette, [](PixelLabel label) { return label == PixelLabel::hand; }));
-  const auto& labels = silhouette.values();
-  if (std::find(labels.begin(), labels.end(), PixelLabel::unknown) == labels.end()) {
+  if (bounds_of(silhouette, PixelLabel::unknown).empty()) {
     view.possible_distance = view.hand_distance;
   } else {
     view.possible_distance = std::make_shared<const Image<float>>(signed_distance(

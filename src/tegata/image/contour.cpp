@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "tegata/image/pixel_box.h"
+
 namespace tegata {
 namespace {
 
@@ -29,7 +31,7 @@ class Blur {
   }
   Lanes weights(double beyond) const {
     const double ratio = std::exp(beyond / (sigma * sigma));
-    double power = std::pow(ratio, kFirst);
+    double power = std::exp(kFirst * beyond / (sigma * sigma));
     Lanes result;
     for (int i = 0; i < kWindow; ++i) {
       result[i] = static_cast<float>(at_pixel_[static_cast<std::size_t>(i)] * power);
@@ -74,20 +76,12 @@ bool is_clear(const Silhouette& silhouette, const Crack& crack) {
 // outside the picture is not known.
 class Labels {
  public:
-  explicit Labels(const Silhouette& silhouette) {
-    int right = -1, bottom = -1;
-    left_ = silhouette.width(), top_ = silhouette.height();
-    for (int y = 0; y < silhouette.height(); ++y) {
-      const PixelLabel* row = &silhouette(0, y);
-      for (int x = 0; x < silhouette.width(); ++x) {
-        if (row[x] != PixelLabel::hand) continue;
-        left_ = std::min(left_, x), right = std::max(right, x);
-        top_ = std::min(top_, y), bottom = y;
-      }
-    }
+  // `box` is that of the hand.
+  Labels(const Silhouette& silhouette, const PixelBox& box) {
+    if (box.empty()) return;
     constexpr int kMargin = kReach + 2;
-    left_ -= kMargin, top_ -= kMargin, right += kMargin, bottom += kMargin;
-    if (right < left_ || bottom < top_) return;
+    left_ = box.left - kMargin, top_ = box.top - kMargin;
+    const int right = box.right + kMargin, bottom = box.bottom + kMargin;
     known_ = hand_ = Image<float>(right - left_ + 1, bottom - top_ + 1);
     for (int y = std::max(0, top_); y <= std::min(bottom, silhouette.height() - 1); ++y) {
       for (int x = std::max(0, left_); x <= std::min(right, silhouette.width() - 1); ++x) {
@@ -106,7 +100,7 @@ class Labels {
   }
 
  private:
-  int left_, top_;
+  int left_ = 0, top_ = 0;
   Image<float> known_, hand_;
 };
 
@@ -177,7 +171,8 @@ ContourPoint smooth_point(const Labels& labels, const Crack& crack, const Blurs&
 
 std::vector<ContourPoint> silhouette_contour(const Silhouette& silhouette) {
   const int width = silhouette.width(), height = silhouette.height();
-  const Labels labels(silhouette);
+  const PixelBox box = bounds_of(silhouette, PixelLabel::hand);
+  const Labels labels(silhouette, box);
   const Blurs blurs;
   std::vector<ContourPoint> contour;
   const auto visit = [&](int x, int y, int dx, int dy) {
@@ -186,10 +181,11 @@ std::vector<ContourPoint> silhouette_contour(const Silhouette& silhouette) {
     const Crack crack{x, y, dx, dy, first == PixelLabel::hand};
     if (is_clear(silhouette, crack)) contour.push_back(smooth_point(labels, crack, blurs));
   };
-  for (int y = 0; y < height; ++y) {
+  // All borders of the hand's are beside one of its pixels.
+  for (int y = std::max(0, box.top - 1); y <= box.bottom; ++y) {
     const PixelLabel* row = &silhouette(0, y);
     const PixelLabel* below = y + 1 < height ? row + width : row;
-    for (int x = 0; x < width; ++x) {
+    for (int x = std::max(0, box.left - 1); x <= box.right; ++x) {
       if (x + 1 < width && row[x] != row[x + 1]) visit(x, y, 1, 0);
       if (row[x] != below[x]) visit(x, y, 0, 1);
     }

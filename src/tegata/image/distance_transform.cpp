@@ -7,48 +7,31 @@
 #include "tegata/image/distance_transform.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
+
+#include "tegata/image/pixel_box.h"
 
 namespace tegata {
 namespace {
 
 using Mask = Image<std::uint8_t>;
 
-// A part of a picture, its last column and row included.
-struct Window {
-  int left = 0, top = 0, right = -1, bottom = -1;
+constexpr PixelLabel kLabels[] = {PixelLabel::background, PixelLabel::unknown, PixelLabel::hand};
 
-  int width() const { return right - left + 1; }
-  int height() const { return bottom - top + 1; }
-};
+PixelBox box_of(const Mask& mask) { return {0, 0, mask.width() - 1, mask.height() - 1}; }
 
-Window window_of(const Mask& mask) { return {0, 0, mask.width() - 1, mask.height() - 1}; }
-
-// Where the pixels that are not 0 are.
-Window bounds(const Mask& mask) {
-  Window found{mask.width(), mask.height(), -1, -1};
-  for (int y = 0; y < mask.height(); ++y) {
-    const std::uint8_t* row = &mask(0, y);
-    for (int x = 0; x < mask.width(); ++x) {
-      if (row[x] == 0) continue;
-      found = {std::min(found.left, x), std::min(found.top, y), std::max(found.right, x), y};
-    }
-  }
-  return found;
-}
-
-Window one_wider(const Window& window, const Window& limit) {
+PixelBox one_wider(const PixelBox& window, const PixelBox& limit) {
   return {std::max(window.left - 1, limit.left), std::max(window.top - 1, limit.top),
           std::min(window.right + 1, limit.right), std::min(window.bottom + 1, limit.bottom)};
 }
 
 // Steps along the columns of a window to the nearest pixel that carries `value`; `far`, which is
 // farther than anything in the picture, where the column has none.
-Image<int> column_distances(const Mask& mask, const Window& window, std::uint8_t value, int far) {
+Image<int> column_distances(const Mask& mask, const PixelBox& window, std::uint8_t value, int far) {
   Image<int> distance(window.width(), window.height(), far);
   const auto sweep = [&](int y, int before) {
     const std::uint8_t* pixels = &mask(window.left, window.top + y);
@@ -69,39 +52,38 @@ Image<int> column_distances(const Mask& mask, const Window& window, std::uint8_t
 // without a pixel that is looked for have none.
 class LowerEnvelope {
  public:
-  explicit LowerEnvelope(int width) {
-    parabolas_.reserve(static_cast<std::size_t>(width));
-    ends_.reserve(static_cast<std::size_t>(width));
+  // `at` is 0 to width - 1.
+  explicit LowerEnvelope(int width)
+      : parabolas_(static_cast<std::size_t>(width)),
+        ends_(static_cast<std::size_t>(width)),
+        half_of_(static_cast<std::size_t>(width)) {
+    for (std::size_t i = 1; i < half_of_.size(); ++i) half_of_[i] = 0.5 / static_cast<double>(i);
   }
 
-  void clear() {
-    parabolas_.clear();
-    ends_.clear();
-  }
+  void clear() { count_ = 0; }
   // From left to right.
   void add(int at, int height) {
-    const Parabola added{static_cast<double>(at), static_cast<double>(height)};
-    while (!parabolas_.empty()) {
-      const double crossing = intersection(parabolas_.back(), added);
-      if (ends_.empty() || crossing > ends_.back()) {
-        ends_.push_back(crossing);
+    const Parabola added{at, height, height + at * at};
+    std::size_t count = count_;
+    while (count > 0) {
+      const double crossing = intersection(parabolas_[count - 1], added);
+      if (count == 1 || crossing > ends_[count - 2]) {
+        ends_[count - 1] = crossing;
         break;
       }
-      parabolas_.pop_back();
-      ends_.pop_back();
+      --count;
     }
-    parabolas_.push_back(added);
+    parabolas_[count] = added;
+    count_ = count + 1;
   }
   // The squares at 0 .. width - 1.
   void sample(int width, float* squares) const {
     int x = 0;
-    for (std::size_t i = 0; i < parabolas_.size(); ++i) {
+    for (std::size_t i = 0; i < count_; ++i) {
       const auto at = static_cast<float>(parabolas_[i].at);
       const auto height = static_cast<float>(parabolas_[i].height);
-      // The first x at which the next one is not higher.
-      const int end = i < ends_.size() && ends_[i] < width
-                          ? std::max(x, static_cast<int>(std::ceil(ends_[i])))
-                          : width;
+      const int end =
+          i + 1 < count_ && ends_[i] < width ? std::max(x, rounded_up(ends_[i])) : width;
       for (; x < end; ++x) {
         const float step = static_cast<float>(x) - at;
         squares[x] = step * step + height;
@@ -111,26 +93,34 @@ class LowerEnvelope {
 
  private:
   struct Parabola {
-    double at, height;
+    int at, height, at_zero;  // at_zero: its value at x = 0
   };
-  // Where the right one of the two comes below the left one.
-  static double intersection(const Parabola& left, const Parabola& right) {
-    return ((right.height + right.at * right.at) - (left.height + left.at * left.at)) /
-           (2.0 * (right.at - left.at));
+  // Where the right one of the two comes below the left one. Where that is at a pixel's centre both
+  // have the same value there, so that the product's rounding does not show.
+  double intersection(const Parabola& left, const Parabola& right) const {
+    return (right.at_zero - left.at_zero) * half_of_[static_cast<std::size_t>(right.at - left.at)];
+  }
+  // Of what is below 0, 0.
+  static int rounded_up(double value) {
+    if (!(value > 0.0)) return 0;
+    const int whole = static_cast<int>(value);
+    return whole < value ? whole + 1 : whole;
   }
 
   std::vector<Parabola> parabolas_;
-  std::vector<double> ends_;  // of each parabola's stretch but the last one's
+  std::vector<double> ends_;     // of each parabola's stretch but the last one's
+  std::vector<double> half_of_;  // half of the reciprocals
+  std::size_t count_ = 0;
 };
 
 // Adds sign * (distance to the nearest pixel with `value` - 0.5) to the pixels of a window without
 // it. Only the columns from `left` to `right` have such pixels that are the nearest to any.
-void add_distances(const Mask& mask, const Window& window, int left, int right, std::uint8_t value,
-                   float sign, Image<float>& sum) {
+void add_distances(const Mask& mask, const PixelBox& window, int left, int right,
+                   std::uint8_t value, float sign, Image<float>& sum) {
   const int far = mask.width() + mask.height();
-  const Window looked_for{left, window.top, right, window.bottom};
+  const PixelBox looked_for{left, window.top, right, window.bottom};
   const Image<int> along_columns = column_distances(mask, looked_for, value, far);
-  LowerEnvelope envelope(looked_for.width());
+  LowerEnvelope envelope(window.width());
   std::vector<float> squares(static_cast<std::size_t>(window.width()));
   for (int y = window.top; y <= window.bottom; ++y) {
     const int* steps = &along_columns(0, y - window.top);
@@ -152,27 +142,27 @@ void add_distances(const Mask& mask, const Window& window, int left, int right, 
 
 Image<float> signed_distance(const Silhouette& silhouette,
                              const std::function<bool(PixelLabel)>& inside) {
-  std::array<std::uint8_t, 256> is_inside = {};
-  for (const PixelLabel label : {PixelLabel::background, PixelLabel::unknown, PixelLabel::hand}) {
-    is_inside[static_cast<std::size_t>(label)] = inside(label) ? 1 : 0;
-  }
   Mask mask(silhouette.width(), silhouette.height());
+  std::uint8_t kinds[3];
+  for (std::size_t i = 0; i < 3; ++i) kinds[i] = inside(kLabels[i]) ? 1 : 0;
   std::transform(silhouette.values().begin(), silhouette.values().end(), mask.values().begin(),
-                 [&](PixelLabel label) { return is_inside[static_cast<std::size_t>(label)]; });
+                 [&](PixelLabel label) {
+                   return static_cast<std::uint8_t>((label == kLabels[0] ? kinds[0] : 0) |
+                                                    (label == kLabels[1] ? kinds[1] : 0) |
+                                                    (label == kLabels[2] ? kinds[2] : 0));
+                 });
 
-  const auto first = mask.values().begin();
-  const auto inside_count = std::count(first, mask.values().end(), std::uint8_t{1});
+  const PixelBox inside_bounds = bounds_of(mask, std::uint8_t{1});
   const float far = static_cast<float>(mask.width() + mask.height());
-  if (inside_count == 0) return Image<float>(mask.width(), mask.height(), -far);
-  if (static_cast<std::size_t>(inside_count) == mask.pixel_count()) {
+  if (inside_bounds.empty()) return Image<float>(mask.width(), mask.height(), -far);
+  if (std::memchr(mask.values().data(), 0, mask.pixel_count()) == nullptr) {
     return Image<float>(mask.width(), mask.height(), far);
   }
   Image<float> distance(mask.width(), mask.height(), 0.0F);
   // The nearest pixel outside is not farther than the frame about all that is inside.
-  const Window inside_bounds = bounds(mask);
-  const Window frame = one_wider(inside_bounds, window_of(mask));
+  const PixelBox frame = one_wider(inside_bounds, box_of(mask));
   add_distances(mask, frame, frame.left, frame.right, 0, 1.0F, distance);
-  add_distances(mask, window_of(mask), inside_bounds.left, inside_bounds.right, 1, -1.0F, distance);
+  add_distances(mask, box_of(mask), inside_bounds.left, inside_bounds.right, 1, -1.0F, distance);
   return distance;
 }
 

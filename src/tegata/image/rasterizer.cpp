@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "tegata/image/lens_range.h"
@@ -163,6 +164,75 @@ void scan_triangles(std::span<const Eigen::Vector3d> vertices, std::span<const T
   }
 }
 
+// Where a row of pixels enters one more triangle or leaves one: at the first pixel behind.
+struct Crossing {
+  int x, y, change;
+};
+
+// Of an edge that triangles have, more of them by `change` to its right than to its left on the way
+// from one end to the other: where it runs up (in the picture) they begin, where it runs down they
+// end. By the top-left rule pixel centres on the beginning belong to a triangle, those on the end
+// do not, nor those in the lowest row.
+void add_crossings(const Corner& from, const Corner& to, int change, const Camera& camera,
+                   std::vector<Crossing>& crossings) {
+  if (from.y == to.y) return;
+  const bool begins = to.y < from.y;
+  const Corner &top = begins ? to : from, &bottom = begins ? from : to;
+  const auto up = [](std::int64_t v) { return (v + kGrid - 1) >> kGridBits; };
+  const std::int64_t first = std::max<std::int64_t>(0, up(top.y));
+  const std::int64_t end = std::min<std::int64_t>(camera.height, up(bottom.y));
+  if (first >= end) return;
+  // x is a whole number of pixels and a rest, both of which grow by the same from row to row.
+  const std::int64_t rise = bottom.y - top.y, run = bottom.x - top.x, whole = rise * kGrid;
+  const auto floor_of = [&](std::int64_t v) { return v / whole - (v % whole < 0 ? 1 : 0); };
+  const std::int64_t start = top.x * rise + run * (first * kGrid - top.y), step = run * kGrid;
+  std::int64_t x = floor_of(start), rest = start - x * whole;
+  const std::int64_t x_step = floor_of(step), rest_step = step - x_step * whole;
+  for (std::int64_t y = first; y < end; ++y) {
+    const std::int64_t behind = x + (rest > 0 ? 1 : 0);
+    crossings.push_back({static_cast<int>(std::clamp<std::int64_t>(behind, 0, camera.width)),
+                         static_cast<int>(y), begins ? change : -change});
+    x += x_step;
+    rest += rest_step;
+    if (rest >= whole) {
+      rest -= whole;
+      ++x;
+    }
+  }
+}
+
+// Fills what lies in one triangle or more.
+void fill_between(const std::vector<Crossing>& crossings, Silhouette& silhouette) {
+  const auto rows = static_cast<std::size_t>(silhouette.height());
+  std::vector<std::size_t> ends(rows + 1, 0);
+  for (const Crossing& crossing : crossings) ++ends[static_cast<std::size_t>(crossing.y) + 1];
+  for (std::size_t y = 0; y < rows; ++y) ends[y + 1] += ends[y];
+  std::vector<Crossing> sorted(crossings.size());
+  for (const Crossing& crossing : crossings) {
+    sorted[ends[static_cast<std::size_t>(crossing.y)]++] = crossing;
+  }
+  std::size_t first = 0;
+  for (std::size_t y = 0; y < rows; ++y) {
+    const std::size_t end = ends[y];
+    for (std::size_t i = first + 1; i < end; ++i) {
+      const Crossing moved = sorted[i];
+      std::size_t place = i;
+      for (; place > first && sorted[place - 1].x > moved.x; --place) {
+        sorted[place] = sorted[place - 1];
+      }
+      sorted[place] = moved;
+    }
+    int depth = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      depth += sorted[i].change;
+      if (depth <= 0 || i + 1 == end) continue;
+      std::fill_n(&silhouette(0, static_cast<int>(y)) + sorted[i].x, sorted[i + 1].x - sorted[i].x,
+                  PixelLabel::hand);
+    }
+    first = end;
+  }
+}
+
 }  // namespace
 
 RenderedMesh render(const TriangleMesh& mesh, const Camera& camera) {
@@ -195,6 +265,69 @@ Silhouette render_silhouette(std::span<const Eigen::Vector3d> vertices,
   scan_triangles<false>(vertices, triangles, camera, faces, [&](const PixelRun& run, std::int32_t) {
     std::fill_n(&silhouette(run.first_x, run.y), run.last_x - run.first_x + 1, PixelLabel::hand);
   });
+  return silhouette;
+}
+
+EdgedTriangles::EdgedTriangles(std::span<const Triangle> faces)
+    : triangles(faces.begin(), faces.end()) {
+  struct Half {
+    std::uint32_t low, high;
+    std::int32_t triangle;
+    bool is_forth;  // from low to high
+  };
+  std::vector<Half> halves;
+  halves.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
+      halves.push_back(
+          {std::min(from, to), std::max(from, to), static_cast<std::int32_t>(t), from < to});
+    }
+  }
+  std::stable_sort(halves.begin(), halves.end(), [](const Half& a, const Half& b) {
+    return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+  });
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    const Half& half = halves[i];
+    Edge edge{half.low, half.high, -1, -1};
+    (half.is_forth ? edge.forth : edge.back) = half.triangle;
+    if (i + 1 < halves.size()) {
+      const Half& next = halves[i + 1];
+      if (next.low == half.low && next.high == half.high && next.is_forth != half.is_forth) {
+        (next.is_forth ? edge.forth : edge.back) = next.triangle;
+        ++i;
+      }
+    }
+    edges.push_back(edge);
+  }
+}
+
+Silhouette render_silhouette(std::span<const Eigen::Vector3d> vertices,
+                             const EdgedTriangles& surface, const Camera& camera, Faces faces) {
+  const std::vector<Corner> corners = project_corners(vertices, camera);
+  // 1 where a triangle faces the camera, -1 where it faces away and counts, 0 where it does not.
+  std::vector<std::int8_t> facing(surface.triangles.size());
+  const int away = faces == Faces::all ? -1 : 0;
+  for (std::size_t i = 0; i < facing.size(); ++i) {
+    const Triangle& t = surface.triangles[i];
+    const Corner &a = corners[t[0]], &b = corners[t[1]], &c = corners[t[2]];
+    if (!a.visible || !b.visible || !c.visible) continue;
+    // With y down, a triangle that runs counter-clockwise has a negative area.
+    const std::int64_t area = twice_area(a, b, c);
+    facing[i] = static_cast<std::int8_t>(area < 0 ? 1 : area > 0 ? away : 0);
+  }
+  const auto at = [&](std::int32_t triangle) {
+    return triangle < 0 ? 0 : static_cast<int>(facing[static_cast<std::size_t>(triangle)]);
+  };
+  std::vector<Crossing> crossings;
+  for (const EdgedTriangles::Edge& edge : surface.edges) {
+    const int change = at(edge.forth) - at(edge.back);
+    if (change == 0) continue;
+    // add_crossings() has what faces the camera on the other side.
+    add_crossings(corners[edge.b], corners[edge.a], change, camera, crossings);
+  }
+  Silhouette silhouette(camera.width, camera.height, PixelLabel::background);
+  fill_between(crossings, silhouette);
   return silhouette;
 }
 

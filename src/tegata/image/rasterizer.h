@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "tegata/camera/camera.h"
 #include "tegata/image/image.h"
@@ -36,6 +37,25 @@ Silhouette render_silhouette(const TriangleMesh& mesh, const Camera& camera,
 /// The same of vertices in world coordinates [m] and the triangles between them.
 Silhouette render_silhouette(std::span<const Eigen::Vector3d> vertices,
                              std::span<const Triangle> triangles, const Camera& camera,
+                             Faces faces = Faces::all);
+
+/// Triangles with the edges between them, made once for pictures of many poses.
+struct EdgedTriangles {
+  explicit EdgedTriangles(std::span<const Triangle> triangles);
+
+  struct Edge {
+    std::uint32_t a = 0, b = 0;
+    /// The triangle that has it from a to b and the one that has it from b to a; -1: none. Where
+    /// more meet there are more edges.
+    std::int32_t forth = -1, back = -1;
+  };
+  std::vector<Triangle> triangles;
+  std::vector<Edge> edges;
+};
+
+/// The same pixels, found by the few edges where what faces the camera ends.
+Silhouette render_silhouette(std::span<const Eigen::Vector3d> vertices,
+                             const EdgedTriangles& surface, const Camera& camera,
                              Faces faces = Faces::all);
 
 }  // namespace tegata

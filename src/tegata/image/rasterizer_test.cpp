@@ -211,5 +211,31 @@ TEST(Rasterizer, FrontFacesOfAClosedSurfaceCoverWhatAllFacesDo) {
   EXPECT_EQ(drawn, 4u);
 }
 
+// Triangles of all kinds: closed and with holes, over each other, turned inside out, in part behind
+// the camera and beyond the picture, corners on pixels' centres.
+TEST(Rasterizer, EdgesCoverThePixelsThatTrianglesDo) {
+  Random random(5);
+  std::size_t covered = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    TriangleMesh mesh = lattice(6, trial % 3 == 0 ? 9 : 14, random);
+    for (Eigen::Vector3d& vertex : mesh.vertices) {
+      if (trial % 2 == 1) vertex += 12.0 * Eigen::Vector3d(random.normal(), random.normal(), 0.0);
+      if (random.uniform() < 0.03) vertex.z() = -1.0;
+    }
+    if (trial % 4 == 1) {
+      std::erase_if(mesh.triangles, [&](const Triangle&) { return random.uniform() < 0.2; });
+    }
+    if (trial % 4 == 2) mesh.triangles.push_back(mesh.triangles.front());
+    const Camera camera = pixel_camera(60, 50);
+    const EdgedTriangles edged(mesh.triangles);
+    for (const Faces faces : {Faces::all, Faces::front}) {
+      const Silhouette expected = render_silhouette(mesh, camera, faces);
+      ASSERT_EQ(render_silhouette(mesh.vertices, edged, camera, faces), expected) << trial;
+      covered += count_pixels(expected, PixelLabel::hand);
+    }
+  }
+  EXPECT_GT(covered, 60u * 1000u);
+}
+
 }  // namespace
 }  // namespace tegata
