@@ -3,6 +3,8 @@
 #include "tegata/fit/hand_tracker.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "tegata/fit/known_grasp.h"
 #include "tegata/fit/start.h"
@@ -16,6 +18,8 @@ namespace {
 // kind as before; so many frames tell what is usual.
 constexpr double kLostEnergyRatio = 3.0;
 constexpr std::size_t kEnergiesKept = 30, kEnergiesNeeded = 3;
+// With an energy of so many times the usual one the hand is where it was expected.
+constexpr double kNearEnergyRatio = 1.5;
 // Less of the silhouettes than this is no hand: what is held eats up to half of one in infrared.
 constexpr double kLeastOverlap = 0.4;
 // Angles are never known better than this [rad]: the frames of a stream are much alike.
@@ -38,20 +42,33 @@ FitSchedule HandTracker::with_known_angles() const {
   return schedule;
 }
 
+double HandTracker::usual_energy() const {
+  if (energies_.size() < kEnergiesNeeded) return std::numeric_limits<double>::infinity();
+  return median(std::vector<double>(energies_.begin(), energies_.end()));
+}
+
 bool HandTracker::is_hand(const FitFrame& frame, const FrameFit& fit) const {
   const PosedHand posed = hand_.posed(fit.pose);
   double sum = 0.0;
   for (const FitView& view : frame.views) sum += silhouette_overlap(hand_, posed, view);
   if (sum < kLeastOverlap * static_cast<double>(frame.views.size())) return false;
-  if (energies_.size() < kEnergiesNeeded) return true;
-  const double usual = median(std::vector<double>(energies_.begin(), energies_.end()));
-  return fit.report.energy <= kLostEnergyRatio * usual;
+  return fit.report.energy <= kLostEnergyRatio * usual_energy();
 }
 
 std::optional<FrameFit> HandTracker::follow(const FitFrame& frame) const {
   const Rigid3d expected = last_but_one_ ? extrapolated(*last_but_one_, *last_) : *last_;
-  const FrameFit fit =
-      fit_frame(hand_, frame, {expected, angles_}, with_known_angles(), options_.threads);
+  const FitSchedule schedule = with_known_angles();
+  const auto fit_by = [&](const FitSchedule& stages) {
+    return fit_frame(hand_, frame, {expected, angles_}, stages, options_.threads);
+  };
+  // Mostly the hand is where it is expected, and the last stage alone finds it there.
+  if (schedule.stages.size() > 1 && std::isfinite(usual_energy())) {
+    const FrameFit near = fit_by({{schedule.stages.back()}});
+    if (near.report.energy <= kNearEnergyRatio * usual_energy() && is_hand(frame, near)) {
+      return near;
+    }
+  }
+  const FrameFit fit = fit_by(schedule);
   return is_hand(frame, fit) ? std::optional(fit) : std::nullopt;
 }
 

@@ -17,6 +17,7 @@ struct TrackOptions {
   /// How far the angles may change from one frame to the next [rad].
   double drift = 0.004;
   /// From where the hand is expected to where it is; its energies are compared from frame to frame.
+  /// Where the last stage alone leaves no more energy than usual the ones before are not needed.
   FitSchedule follow = stream_schedule();
   /// Where it is not known where the hand is; for these a frame needs its hull.
   std::vector<FitSchedule> search = search_schedules();
@@ -53,6 +54,8 @@ class HandTracker {
   FitSchedule with_known_angles() const;
   std::optional<FrameFit> follow(const FitFrame& frame) const;
   std::optional<FrameFit> search(const FitFrame& frame) const;
+  /// Of the last frames; infinite where they are too few to tell.
+  double usual_energy() const;
   bool is_hand(const FitFrame& frame, const FrameFit& fit) const;
   void learn(const FrameFit& fit);
 
