@@ -23,6 +23,8 @@ struct Timing {
   std::size_t result = 0;     ///< what run() returned
 };
 
+enum class Clock { processor, wall };
+
 /// Runs the contestants in turn, round after round, so that a busy machine slows all of them. In a
 /// round each is called until it has taken a few milliseconds, and its mean time counts; each round
 /// starts with another one. Processor time is the process's on any core: waiting for other
@@ -30,7 +32,6 @@ struct Timing {
 /// threads gain is seen by the clock alone. Calls before the first round are not counted.
 /// Contestants of more than half a second take part in the first few rounds only. Throws Error
 /// where run() returns something else than the time before.
-enum class Clock { processor, wall };
 std::vector<Timing> run_rounds(const std::vector<Contestant>& contestants,
                                Clock clock = Clock::processor, int rounds_of_slow_ones = 3);
 
