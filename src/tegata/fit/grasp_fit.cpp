@@ -29,7 +29,7 @@ constexpr double kLikelyUncovered = 4e-4, kWrongBeginningRatio = 2.0;
 // From the normal equations' deviations to true ones: neighbouring residuals are not independent.
 // Chosen with hands of known shape on the 45 takes of `tegata experiment accuracy`
 // (docs/accuracy.md). A hand of another shape than the fitted one is farther off than this says.
-constexpr double kDeviationScale = 0.57;
+constexpr double kDeviationScale = 0.53;
 // How far the angles may leave what is known of them [rad], stage by stage: a turning hand is first
 // followed nearly stiff, as nothing else moves the fingers' surfaces as far.
 constexpr double kFixedDeviations[] = {0.03, 0.06, 0.1, 0.15};
