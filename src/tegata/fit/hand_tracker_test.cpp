@@ -47,6 +47,24 @@ TEST(HandTracker, FollowsAHandWithoutHullsOnceItIsFound) {
   }
 }
 
+TEST(HandTracker, AHandThatIsNotWhereItIsExpectedIsFollowedByAllStages) {
+  const FitHand hand(test::coarse_hand());
+  FitFrame frame = streamed_frame(13);  // nine steps at once
+  frame.hull.reset();
+  const auto off_after_a_jump = [&](const TrackOptions& options) {
+    HandTracker tracker(hand, options);
+    for (int f = 0; f < 5; ++f) tracker.next(streamed_frame(f));
+    const TrackedFrame tracked = tracker.next(frame);
+    return tracked.state != TrackState::followed
+               ? 1.0
+               : test::mean_keypoint_distance(test::coarse_hand(), tracked.pose, streamed_pose(13));
+  };
+  EXPECT_LT(off_after_a_jump({}), 0.004);
+  TrackOptions last_stage;
+  last_stage.follow.stages = {last_stage.follow.stages.back()};
+  EXPECT_GT(off_after_a_jump(last_stage), 0.004) << "the jump is none";
+}
+
 TEST(HandTracker, WhatIsNoHandIsLostAndTheHandIsFoundAgain) {
   const FitHand hand(test::coarse_hand());
   HandTracker tracker(hand, {});
