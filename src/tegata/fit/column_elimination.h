@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstring>
 
 #include "tegata/base/instruction_set.h"
 
@@ -64,7 +65,11 @@ class ColumnElimination {
     for (Eigen::Index j = count_; j-- > 0;) {
       const double found = x[j] = left[j];
       for (Eigen::Index k = 0; k < j; k += kLanes) {
-        rows_at<kLanes>(left + k) -= found * rows_at<kLanes>(place(k, j));
+        RowVector<kLanes> rows, above;
+        load(left + k, rows);
+        load(place(k, j), above);
+        rows -= found * above;
+        store(rows, left + k);
       }
     }
   }
@@ -74,22 +79,22 @@ class ColumnElimination {
   friend class ColumnElimination;
   static constexpr Eigen::Index kLanes = 2, kMostLanes = 8;  // of the baseline, of all
 
-  // So many rows of a column, wherever they begin.
+  // So many rows of a column.
   template <Eigen::Index kCount>
   struct Rows {
-    using Vector [[gnu::vector_size(kCount * sizeof(double)), gnu::aligned(alignof(double)),
-                   gnu::may_alias]] = double;
+    using Vector [[gnu::vector_size(kCount * sizeof(double))]] = double;
   };
   template <Eigen::Index kCount>
   using RowVector = typename Rows<kCount>::Vector;
 
-  template <Eigen::Index kCount>
-  TEGATA_KERNEL static const RowVector<kCount>& rows_at(const double* first) {
-    return *reinterpret_cast<const RowVector<kCount>*>(first);
+  // From and to wherever they begin, as no vector is aligned there.
+  template <typename Vector>
+  TEGATA_KERNEL static void load(const double* first, Vector& rows) {
+    std::memcpy(&rows, first, sizeof rows);
   }
-  template <Eigen::Index kCount>
-  TEGATA_KERNEL static RowVector<kCount>& rows_at(double* first) {
-    return *reinterpret_cast<RowVector<kCount>*>(first);
+  template <typename Vector>
+  TEGATA_KERNEL static void store(const Vector& rows, double* first) {
+    std::memcpy(first, &rows, sizeof rows);
   }
 
   TEGATA_KERNEL double* place(Eigen::Index row, Eigen::Index column) {
@@ -110,7 +115,11 @@ class ColumnElimination {
   TEGATA_KERNEL void take(Eigen::Index k, double inverse, Eigen::Index j) {
     const double factor = *place(k, j) = *place(j, k) * inverse;
     for (Eigen::Index i = j; i < rows_; i += kCount) {
-      rows_at<kCount>(place(i, j)) -= factor * rows_at<kCount>(place(i, k));
+      RowVector<kCount> rows, of_k;
+      load(place(i, j), rows);
+      load(place(i, k), of_k);
+      rows -= factor * of_k;
+      store(rows, place(i, j));
     }
   }
   template <Eigen::Index kCount>
@@ -118,8 +127,12 @@ class ColumnElimination {
     const double factor = *place(k, j) = *place(j, k) * inverse;
     const double next = *place(k + 1, j) = *place(j, k + 1) * next_inverse;
     for (Eigen::Index i = j; i < rows_; i += kCount) {
-      rows_at<kCount>(place(i, j)) -=
-          factor * rows_at<kCount>(place(i, k)) + next * rows_at<kCount>(place(i, k + 1));
+      RowVector<kCount> rows, of_k, of_next;
+      load(place(i, j), rows);
+      load(place(i, k), of_k);
+      load(place(i, k + 1), of_next);
+      rows -= factor * of_k + next * of_next;
+      store(rows, place(i, j));
     }
   }
 
@@ -158,15 +171,19 @@ class ColumnElimination {
         factors[k] = *all.place(row + j, k) * all.inverse_pivots_[k];
       }
       for (Eigen::Index i = row + j; i < all.rows_; i += kCount) {
-        RowVector<kCount>& rows = rows_at<kCount>(left.place(i - row, j));
-        RowVector<kCount> sum = rows;
+        RowVector<kCount> rows, of_k, of_next;
+        load(left.place(i - row, j), rows);
         Eigen::Index k = 0;
         for (; k + 1 < all.count_; k += 2) {  // by twos, as each difference waits for the last
-          sum -= factors[k] * rows_at<kCount>(all.place(i, k)) +
-                 factors[k + 1] * rows_at<kCount>(all.place(i, k + 1));
+          load(all.place(i, k), of_k);
+          load(all.place(i, k + 1), of_next);
+          rows -= factors[k] * of_k + factors[k + 1] * of_next;
         }
-        if (k < all.count_) sum -= factors[k] * rows_at<kCount>(all.place(i, k));
-        rows = sum;
+        if (k < all.count_) {
+          load(all.place(i, k), of_k);
+          rows -= factors[k] * of_k;
+        }
+        store(rows, left.place(i - row, j));
       }
     }
   }

@@ -3,6 +3,7 @@
 #include "tegata/fit/pair_sums.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace tegata {
@@ -136,8 +137,7 @@ TEGATA_KERNEL void add_lanes(const std::array<Lanes, kLanes>& lanes, bool is_fir
                              std::array<double, kSums>& sums) {
   constexpr std::size_t kFloats = Set::kFloats == kRowLanes ? kRowLanes : 4;
   using Vector = typename Registers<kFloats, 0>::Vector;
-  using Sums [[gnu::vector_size(kFloats * sizeof(double)), gnu::aligned(alignof(double)),
-               gnu::may_alias]] = double;
+  using Sums [[gnu::vector_size(kFloats * sizeof(double))]] = double;
   Vector vectors[kFloats];
 #pragma GCC unroll 16
   for (std::size_t p = 0; p < kFloats; ++p) {
@@ -150,10 +150,13 @@ TEGATA_KERNEL void add_lanes(const std::array<Lanes, kLanes>& lanes, bool is_fir
     }
   }
   add_across<kFloats, kFloats>(vectors);
-  Sums& to = *reinterpret_cast<Sums*>(&sums[kFirst]);
   Sums now = __builtin_convertvector(vectors[0], Sums);
-  if (!is_first) now += to;
-  to = now;
+  if (!is_first) {
+    Sums before;
+    std::memcpy(&before, &sums[kFirst], sizeof before);
+    now += before;
+  }
+  std::memcpy(&sums[kFirst], &now, sizeof now);
   constexpr std::size_t kNext = kFirst + kFloats;
   if constexpr (kNext < kLanes) add_lanes<Set, kNext>(lanes, is_first, sums);
 }
