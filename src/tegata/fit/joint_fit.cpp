@@ -165,7 +165,7 @@ JointFit fit_jointly(const FitHand& hand, AgreeingFrames& agreeing, HandEstimate
     seek_jumps(hand, frames, fit.object.surface, options, estimate);
     const bool is_any = !fit.object.surface.triangles.empty();
     const FitSchedule& schedule = is_any ? options.with_object : options.all_frames;
-    settle_among(schedule, round == 1);
+    settle_among(schedule, true);
     if (leave_out_contradictions(hand, fit.object.surface, options, agreeing, estimate)) {
       settled.assign(frames.size(), false);
       settle_among(schedule, false);
