@@ -15,13 +15,6 @@
 namespace tegata {
 namespace {
 
-// A number of each of so many digits.
-template <std::size_t kSize>
-struct Digits {
-  using Number [[gnu::vector_size(kSize * sizeof(double))]] = double;
-  static constexpr std::size_t kCount = kSize;
-};
-
 template <typename Number>
 using Vec = std::array<Number, 3>;
 

@@ -14,8 +14,9 @@ constexpr double kBesideHand = 0.012;  // of a hand of scale 1 [m]
 
 // How far each pixel lies outside the posed hand and what the hull has before the wrist [px];
 // negative within.
-Image<float> outside_hand(const PosedHand& posed, const HullTarget& hull, const Camera& camera) {
-  Silhouette hand = render_silhouette(posed.surface(), camera);
+Image<float> outside_hand(const FitHand& fit_hand, const PosedHand& posed, const HullTarget& hull,
+                          const Camera& camera) {
+  Silhouette hand = render_silhouette(posed.vertices(), fit_hand.drawn, camera);
   const Rigid3d hand_from_world = posed.pose().world_from_hand.inverse();
   for (const Eigen::Vector3d& point : hull.nearest.points()) {
     if ((hand_from_world * point).y() < 0.0) continue;
@@ -37,7 +38,7 @@ Silhouette forearm_picture(const FitHand& hand, const PosedHand& posed, const Fi
   if (!frame.hull || count_pixels(beyond, PixelLabel::hand) == 0) return arm;
   const double depth = (camera.camera_from_world * posed.keypoints()[kMiddleMcp]).z();
   const double beside_px = kBesideHand * hand.scale * camera.fx / depth;
-  const Image<float> outside_px = outside_hand(posed, *frame.hull, camera);
+  const Image<float> outside_px = outside_hand(hand, posed, *frame.hull, camera);
   for (std::size_t i = 0; i < arm.values().size(); ++i) {
     if (beyond.values()[i] == PixelLabel::hand && outside_px.values()[i] > beside_px) {
       arm.values()[i] = PixelLabel::hand;

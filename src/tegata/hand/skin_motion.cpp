@@ -24,12 +24,6 @@ SkinMotion::Bone moved(const Rigid3d& b_from_a, const SkinMotion::Bone& bone) {
   return product;
 }
 
-// A number of each of so many digits.
-template <std::size_t kSize>
-struct Digits {
-  using Number [[gnu::vector_size(kSize * sizeof(double))]] = double;
-  static constexpr std::size_t kCount = kSize;
-};
 template <typename Number>
 using Vec = std::array<Number, 3>;
 template <typename Number>

@@ -10,6 +10,13 @@
 
 namespace tegata {
 
+/// A number of each of so many digits, side by side in a register.
+template <std::size_t kSize>
+struct Digits {
+  using Number [[gnu::vector_size(kSize * sizeof(double))]] = double;
+  static constexpr std::size_t kCount = kSize;
+};
+
 /// What a pose does to the rows of a surface (SkinRows), in plain numbers: world axes, but about
 /// the hand's origin, so that a hand far from the world's origin loses nothing.
 class SkinMotion {
